@@ -131,6 +131,21 @@ CompStatus CutterComp::flush(CompOutput& out) {
   return process(true, out);
 }
 
+CompStatus CutterComp::halt(const CompBlock& refused, CompOutput& out) {
+  if (elements_.empty()) return {};
+  Element stop = makeElement(refused);
+  Element& last = elements_.back();
+  const bool leads = (stop.kind == ElementKind::kLine || stop.kind == ElementKind::kArc) &&
+                     stop.phase == ElementPhase::kInside &&
+                     checkBlock(refused).error != CompError::kNotFinite;
+  if (last.phase != ElementPhase::kStartUp || !leads) {
+    stop.kind = ElementKind::kZero;
+    stop.phase = ElementPhase::kInside;
+  }
+  last.corner = makeCorner(last, &stop, startOf(elements_.size() - 1), policy_);
+  return flush(out);
+}
+
 CompStatus CutterComp::process(bool drain, CompOutput& out) {
   while (!elements_.empty() && (drain || (elements_.size() >= lookAhead() && !waitsForContour()))) {
     if (const CompStatus status = finishFront(out); !status.ok()) return status;
@@ -144,17 +159,19 @@ Vec2 CutterComp::frontStart() const {
   return planar(front.p0) + front.rho_start * leftOf(startTangent(front));
 }
 
+/// Where the compensated path of an element starts.
+Vec2 CutterComp::startOf(std::size_t index) {
+  if (index == 0) return frontStart();
+  const Corner& before = cornerAfter(index - 1);
+  return before.points.empty() ? planar(elements_[index].p0) : before.points.back();
+}
+
 const CutterComp::Corner& CutterComp::cornerAfter(std::size_t index) {
   PROVEOUT_ASSERT(index < elements_.size());
   Element& e = elements_[index];
   if (!e.corner) {
-    Vec2 from = frontStart();
-    if (index > 0) {
-      const Corner& before = cornerAfter(index - 1);
-      from = before.points.empty() ? planar(e.p0) : before.points.back();
-    }
     const Element* next = index + 1 < elements_.size() ? &elements_[index + 1] : nullptr;
-    e.corner = makeCorner(e, next, from, policy_);
+    e.corner = makeCorner(e, next, startOf(index), policy_);
     PROVEOUT_ASSERT(e.corner->error != CompError::kNone || !e.corner->points.empty());
   }
   return *e.corner;

@@ -171,7 +171,8 @@ struct RollPlace;
 
 }  // namespace comp_detail
 
-/// Not thread-safe; one owner. After an error only reset() makes sense. Copyable.
+/// Not thread-safe; one owner. After an error only reset() makes sense, and halt() where push() refused the
+/// block: that leaves the blocks before it as they are. Copyable.
 class CutterComp {
  public:
   explicit CutterComp(const CutterCompPolicy& policy = {}) : policy_(policy) {}
@@ -186,6 +187,11 @@ class CutterComp {
   /// out. Compensation stays on; the next element starts at the programmed point and ends on its normal
   /// corner.
   CompStatus flush(CompOutput& out);
+
+  /// Ends look-ahead before a block that was refused, or that the caller refuses: all blocks before it come
+  /// out, the last one to the end of its offset. On the way in that end is perpendicular to the start of
+  /// `refused`, if it has a direction. Only reset() makes sense behind it.
+  CompStatus halt(const CompBlock& refused, CompOutput& out);
 
   /// After flush(), or while inactive: the machine has moved by other means (reference point, new origin).
   void rebase(const Vec3& position);
@@ -206,6 +212,7 @@ class CutterComp {
   CompStatus process(bool drain, CompOutput& out);
   CompStatus finishFront(CompOutput& out);
   const Corner& cornerAfter(std::size_t index);
+  Vec2 startOf(std::size_t index);
   Vec2 frontStart() const;
 
   CompStatus checkInterference(CompOutput& out);

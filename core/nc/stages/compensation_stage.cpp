@@ -63,6 +63,12 @@ bool CompensationStage::flush(FlushReason reason) {
   return drain(status);
 }
 
+bool CompensationStage::sendBefore(const PathItem& refused) {
+  out_.clear();
+  const CompStatus status = filter_.halt(blockOf(refused), out_);
+  return drain(status);
+}
+
 void CompensationStage::rebase(const AxisPoint& work, const WorkPlane& plane) {
   filter_.rebase(plane.of(work));
 }

@@ -25,6 +25,11 @@ class CompensationStage : public PathStage {
   void begin(const CutterCompPolicy& policy, const Vec3& start);
   /// The item of that tag, or null where it has gone.
   const PathItem* waiting(std::uint64_t tag) const;
+  /// Passes on what waits in front of an item that cannot be compensated; the tool then stands at the end of
+  /// the block before it. False: something that waits has an error of its own, which was reported.
+  bool sendBefore(const PathItem& refused);
+  /// The last item that came.
+  const PathItem& newest() const { return waiting_.back(); }
 
  private:
   /// Whether an item can be compensated; false: reported.

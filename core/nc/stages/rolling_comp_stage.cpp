@@ -31,6 +31,12 @@ std::string describe(CompError error) {
   }
 }
 
+/// Errors of the block that comes: those before it have a path. Of the others the path of the first block
+/// that waits is not known to its end.
+bool refusesBlock(CompError error) {
+  return error != CompError::kNoIntersection && error != CompError::kSideChange;
+}
+
 /// Arcs inside whose radius is smaller than the tool's.
 bool negativeRadius(const PathItem& item) {
   if (item.kind != PathItem::Kind::kArc || !item.comp_on) return false;
@@ -79,15 +85,18 @@ bool RollingCompStage::accepts(const PathItem& item) {
     report_.compWarning(CompFault::kNegativeRadius, message, item.source);
     return true;
   }
+  // The centre stops at the end of the block before (digest wl4, 5.3).
+  if (!sendBefore(item)) return false;
   report_.compError(CompFault::kNegativeRadius, message, item.source);
   return false;
 }
 
 void RollingCompStage::failed(const CompStatus& status) {
   const PathItem* item = waiting(status.tag);
+  const SourceRef at = item != nullptr ? item->source : SourceRef{};
+  if (refusesBlock(status.error) && !sendBefore(newest())) return;
   const bool switches = status.error == CompError::kStartInArc || status.error == CompError::kCancelInArc;
-  report_.compError(switches ? CompFault::kSwitch : CompFault::kNoPath, describe(status.error),
-                    item != nullptr ? item->source : SourceRef{});
+  report_.compError(switches ? CompFault::kSwitch : CompFault::kNoPath, describe(status.error), at);
 }
 
 bool RollingCompStage::send(const CompPiece& piece, const PathItem& item, PathItem& out) {

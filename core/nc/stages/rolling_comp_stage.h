@@ -35,7 +35,7 @@ struct RollingCompStyle {
 };
 
 /// Corners outside get an arc, motions that are too short for the tool run without an error (digest wl4, 5.3;
-/// digest flexnc, 3.7).
+/// digest flexnc, 3.7). Behind an error of a block the tool stands at the end of the one before it.
 class RollingCompStage final : public CompensationStage {
  public:
   RollingCompStage(MotionPipe& pipe, RollingCompReport& report) : CompensationStage(pipe), report_(report) {}

@@ -335,6 +335,56 @@ TEST(Wl4Threads, MotionsStayAsSmallAsTheyWere) {
   EXPECT_EQ(sizeof(Motion), sizeof(WithoutThreads) + kWire);
 }
 
+/// A program with compensation that ends in an alarm: its code, and where the tool stops.
+struct CompAlarm {
+  const char* name;
+  std::string blocks;
+  const char* code;
+  Vec2 stop;
+  std::size_t motions;
+};
+
+void PrintTo(const CompAlarm& alarm, std::ostream* out) { *out << alarm.name; }
+
+class Wl4CompAlarms : public testing::TestWithParam<CompAlarm> {};
+
+TEST_P(Wl4CompAlarms, ComeBehindTheBlocksBeforeTheFaultyOne) {
+  ControlSettings settings;
+  settings.radius_offsets[1] = {8.0, 0.0};
+  settings.radius_offsets[2] = {2.0, 0.0};
+  const Trace run(ControlId::kWl4Mill, "%R\nG54 G0 X0 Y-10\n" + GetParam().blocks + "M30\n%\n", settings);
+  ASSERT_EQ(run.summary.errors, 1);
+  EXPECT_EQ(run.diagnostics.back().code, GetParam().code);
+  EXPECT_EQ(run.summary.end, ProgramEnd::kAlarm);
+  ASSERT_EQ(run.motions.size(), GetParam().motions);
+  EXPECT_NEAR((run.motions.back().to.head<2>() - GetParam().stop).norm(), 0.0, 1e-9)
+      << run.motions.back().to.transpose();
+}
+
+std::string repeated(const std::string& block, int times) {
+  std::string text;
+  for (int k = 0; k < times; ++k) text += block;
+  return text;
+}
+
+constexpr const char* kTooSmall = "wl4-negative-radius";
+const std::string kShortLines = "Y9\nY9.2\nY9.4\nY9.6\nY9.8\nY10\n";
+const std::string kManyDwells = repeated("G4 P0\n", 101);
+
+// The manual's 6.2.1: the centre stops at 2', the end of the block before the arc; on the way in that is
+// perpendicular to the start of the arc (digest wl4, 5.3).
+INSTANTIATE_TEST_SUITE_P(
+    Alarms, Wl4CompAlarms,
+    testing::Values(
+        CompAlarm{"TangentArc", "G41 D1 G1 X10 F100\nY10\nG3 X4 Y16 R6\n", kTooSmall, {2, 10}, 3},
+        CompAlarm{"ArcOnTheRight", "G42 D1 G1 X10 F100\nY10\nG2 X16 Y16 R6\n", kTooSmall, {18, 10}, 3},
+        CompAlarm{"ArcBehindAnInnerCorner", "G41 D1 G1 X10 F100\nY10\nG3 X-2 R6\n", kTooSmall, {2, 10}, 3},
+        CompAlarm{"ArcBehindTheWayIn", "G41 D1 G1 X10 Y0 F100\nG3 Y12 R6\n", kTooSmall, {10, 8}, 2},
+        CompAlarm{
+            "ShortBlocks", "G41 D1 G1 X10 F100\n" + kShortLines + "G3 X4 Y16 R6\n", kTooSmall, {2, 10}, 8},
+        CompAlarm{"FullBuffer", "G41 D2 G1 X10 F100\nY10\n" + kManyDwells, "wl4-compensation", {8, 10}, 3}),
+    [](const auto& test) { return test.param.name; });
+
 TEST(Wl4Codes, EveryRowNamesWhatExecutesIt) {
   for (const nc::Wl4GCode& g : nc::wl4GCodes()) {
     SCOPED_TRACE(g.code);

@@ -72,8 +72,23 @@ class Mill {
     b.direction = direction;
     return send(b);
   }
+  /// The next block, not sent.
+  CompBlock block(CompBlock::Shape shape, double x, double y) {
+    CompBlock b;
+    b.shape = shape;
+    b.to = {x, y, at_.z()};
+    b.active = active_;
+    b.offset = offset_;
+    b.decimal = decimal_;
+    b.tag = ++tag;
+    return b;
+  }
   Mill& flush() {
     if (status.ok()) status = comp.flush(out);
+    return *this;
+  }
+  Mill& halt(const CompBlock& refused) {
+    if (status.ok()) status = comp.halt(refused, out);
     return *this;
   }
 
@@ -120,16 +135,6 @@ class Mill {
   std::uint64_t tag = 0;  ///< of the last block
 
  private:
-  CompBlock block(CompBlock::Shape shape, double x, double y) {
-    CompBlock b;
-    b.shape = shape;
-    b.to = {x, y, at_.z()};
-    b.active = active_;
-    b.offset = offset_;
-    b.decimal = decimal_;
-    b.tag = ++tag;
-    return b;
-  }
   Mill& send(const CompBlock& b) {
     at_ = b.to;
     if (status.ok()) status = comp.push(b, out);

@@ -382,6 +382,29 @@ TEST(CutterComp, TooManyBlocksWithoutMotionFillTheBuffer) {
   EXPECT_EQ(r.status.tag, 1u);
 }
 
+TEST(CutterComp, HaltEndsTheBlockBeforeTheRefusedOne) {
+  Mill inside({0, -10});
+  CompBlock arc = inside.side(8).line(10, -10).line(10, 10).block(CompBlock::Shape::kArc, 4, 16);
+  arc.center = {4, 10};
+  arc.sweep_rad = kPi / 2;
+  inside.halt(arc).expectPath({{2, -10}, {2, 10}});
+  EXPECT_FALSE(inside.comp.pending());
+  // On the way in the refused block says which normal it is.
+  CutterCompPolicy direct;
+  direct.start_ramp = CompRamp::kA;
+  Mill way_in({10, -20}, direct);
+  CompBlock turned = way_in.side(8).line(10, 0).block(CompBlock::Shape::kArc, 10, 12);
+  turned.center = {10, 6};
+  turned.sweep_rad = kPi;
+  way_in.halt(turned).expectPath({{10, 8}});
+  // Data out of range say nothing.
+  turned.center = {std::nan(""), 6};
+  Mill unknown({10, -20}, direct);
+  unknown.side(8).line(10, 0).halt(turned).expectPath({{2, 0}});
+  Mill nothing({10, -20}, direct);
+  nothing.halt(turned).expectPath({});
+}
+
 TEST(CutterComp, ProgramEndWhileActiveRunsToTheProgrammedPoint) {
   Mill r({-50, 0});
   r.side(5).line(0, 0).line(50, 0).flush();
