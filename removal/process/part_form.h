@@ -30,7 +30,10 @@ class PartForm {
   virtual std::optional<Result<std::unique_ptr<ExactPart>>> exactPart() const { return std::nullopt; }
   /// The part as the blank of what was cut behind it, moved; none: it has no closed form.
   virtual std::optional<StockShape> asBlank(const RigidTransform& /*moved*/) const { return std::nullopt; }
-  /// How far chords of a grid's mesh may lie off the part, mm; none: that is a matter of the tools used.
+  /// Whether the part is known in closed form: then no grid stands for it, and moves cost nothing.
+  virtual bool closedForm() const { return false; }
+  /// How far chords of a grid's mesh may lie off the part, mm; none where it has no closed form: that is a
+  /// matter of the tools used.
   virtual std::optional<double> gridChords(double /*resolution_mm*/) const { return std::nullopt; }
   /// A body that a motion cut off the rest: its number among the bodies of the clamping.
   struct Parted {

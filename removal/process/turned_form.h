@@ -18,6 +18,7 @@ class TurnedForm final : public PartForm {
   std::optional<Vec2> pictureAxis() const override { return Vec2(0.0, 0.0); }
   std::optional<Result<std::unique_ptr<ExactPart>>> exactPart() const override;
   std::optional<StockShape> asBlank(const RigidTransform& moved) const override;
+  bool closedForm() const override { return true; }
   std::optional<double> gridChords(double resolution_mm) const override;
   std::vector<Parted> parted() const override;
 

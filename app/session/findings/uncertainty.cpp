@@ -39,7 +39,7 @@ Chords chordsOf(const RunResult& run, std::size_t setup) {
   const SetupRun& made = run.setups[setup];
   Chords chords;
   if (const std::optional<double> of_grid = made.form->gridChords(run.resolution_mm)) {
-    const bool gridded = !run.setups.back().form->gridChords(run.resolution_mm);
+    const bool gridded = !run.setups.back().form->closedForm();
     const bool of_facets = !gridded && made.facet_error_mm > 0.0;
     chords.once = of_facets ? made.facet_error_mm + kSectionChordMm : *of_grid;
     if (!gridded) return chords;
@@ -49,7 +49,7 @@ Chords chordsOf(const RunResult& run, std::size_t setup) {
                       : surfaceUncertainty(made.interpreted.path, made.job.tools, run.resolution_mm);
   }
   for (std::size_t k = setup + 1; k < run.setups.size(); ++k) {
-    if (!run.setups[k - 1].form->gridChords(run.resolution_mm) && !movesExactly(run.setups[k].from_previous))
+    if (!run.setups[k - 1].form->closedForm() && !movesExactly(run.setups[k].from_previous))
       chords.by_moves += chords.once;
   }
   return chords;
