@@ -96,10 +96,10 @@ void findDeepest(const ExactPart& part, const NominalModel& nominal, double step
   DeviationPatch& p = found.patch;
   if (found.deepest_on_nominal) {
     measureFromNominal(part, nominal.shape.largest(), found);
-    if (p.depth_mm >= found.machined_depth_mm) return;
+    if (p.depth_mm >= found.machined.depth_mm) return;
   }
   const Search search(part, nominal, p.kind, 2.0 * step_mm);
-  const Place start = search.measure(found.deepest_on_nominal ? found.machined_where : p.where);
+  const Place start = search.measure(found.deepest_on_nominal ? found.machined.where : p.where);
   if (!start.at.found || start.depth <= 0.0) return;
   const Place best = search.climb(start, step_mm);
   if (found.deepest_on_nominal && best.depth <= p.depth_mm) return;

@@ -25,8 +25,7 @@ struct Region {
   double area[2] = {0.0, 0.0};
   double volume[2] = {0.0, 0.0};
   double depth = 0.0, bound = 0.0;
-  double machined_depth = 0.0;
-  Vec3 machined_where = Vec3::Zero();
+  MachinedSample machined;
   SurestPlace surest{-1e300, 0.0, 0.0, Vec3::Zero(), Vec3::Zero()};
   Vec3 where = Vec3::Zero(), normal = Vec3::Zero();
   std::uint32_t deepest = kNone;  ///< node number
@@ -151,10 +150,7 @@ class PatchFinder {
         if (s == 0) r.machined_bounds.extend(points[i]);
         const double d = depth(s, i), bound = side(s).bound[i];
         findSurest(s, i, r);
-        if (s == 0 && d > r.machined_depth) {
-          r.machined_depth = d;
-          r.machined_where = points[i];
-        }
+        if (s == 0) r.machined.deepen({d, points[i]});
         if (d <= r.depth && r.deepest != kNone) continue;
         r.depth = d;
         r.bound = bound;
@@ -333,8 +329,7 @@ class PatchFinder {
       const SampledSide& of = side(found.deepest_on_nominal ? 1 : 0);
       PROVEOUT_ASSERT(vertex < of.deviation.size());
       found.opposite = r.where - (found.deepest_on_nominal ? -1.0 : 1.0) * of.deviation[vertex] * r.normal;
-      found.machined_depth_mm = r.machined_depth;
-      found.machined_where = r.machined_where;
+      found.machined = r.machined;
       DeviationPatch& p = found.patch;
       p.kind = kind_;
       p.where = r.where;

@@ -20,6 +20,16 @@ struct SurestPlace {
   void tell(DeviationPatch& patch) const;
 };
 
+/// The deepest sample of the part's own surface: 0 deep where there is none. What a sample of the nominal
+/// says of a deep deviation is as rough as the mesh.
+struct MachinedSample {
+  double depth_mm = 0.0;
+  Vec3 where = Vec3::Zero();
+  void deepen(const MachinedSample& by) {
+    if (by.depth_mm > depth_mm) *this = by;
+  }
+};
+
 /// A region with the samples that it is made of.
 struct FoundPatch {
   DeviationPatch patch;
@@ -30,10 +40,7 @@ struct FoundPatch {
   std::vector<Vec3> places;  ///< some of its samples
   bool deepest_on_nominal = false;
   Vec3 opposite = Vec3::Zero();  ///< nearest point of the other surface to the deepest one
-  /// The deepest sample of the part's own surface: 0 deep where there is none. What a sample of the nominal
-  /// says of a deep deviation is as rough as the mesh.
-  double machined_depth_mm = 0.0;
-  Vec3 machined_where = Vec3::Zero();
+  MachinedSample machined;
 };
 
 /// Regions where the deviation of the kind exceeds `level_mm`, in a fixed order that depends on the input

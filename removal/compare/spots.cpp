@@ -92,10 +92,7 @@ void join(FoundPatch& from, FoundPatch& into) {
     into.deepest_on_nominal = from.deepest_on_nominal;
     into.opposite = from.opposite;
   }
-  if (from.machined_depth_mm > into.machined_depth_mm) {
-    into.machined_depth_mm = from.machined_depth_mm;
-    into.machined_where = from.machined_where;
-  }
+  into.machined.deepen(from.machined);
   joinPatch(from.patch, into.patch);
   if (from.surest.margin() > into.surest.margin()) into.surest = from.surest;
   for (std::size_t k = 0; k < 2; ++k) into.volumes[k] += from.volumes[k];
