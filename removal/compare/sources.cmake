@@ -2,6 +2,7 @@ proveout_add_library(compare
   compare/body_gap.cpp
   compare/compare.cpp
   compare/cracks.cpp
+  compare/curved_facets.cpp
   compare/deepest_point.cpp
   compare/deviation_patches.cpp
   compare/deviation_statistics.cpp
@@ -9,11 +10,13 @@ proveout_add_library(compare
   compare/exact_part.cpp
   compare/join_bodies.cpp
   compare/measured_sides.cpp
+  compare/mesh_facets.cpp
   compare/nominal.cpp
   compare/nominal_shape.cpp
   compare/point_deviation.cpp
   compare/sample_mesh.cpp
   compare/self_crossing.cpp
+  compare/shape_reader.cpp
   compare/shell_sides.cpp
   compare/spots.cpp
   compare/stray_facets.cpp)
