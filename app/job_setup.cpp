@@ -128,8 +128,8 @@ void refuseWithJob(bool given, const char* option, Diagnostics& diagnostics) {
 /// Whether the command line can name the tools of the control at all. False: said what it takes.
 bool namesTools(const RunOptions& options, const Job& job, Diagnostics& diagnostics) {
   const Process& process = processOf(job.control);
-  if (process.needs_job == nullptr || (process.names_tools && !options.tools.empty())) return true;
-  diagnostics.add(usageError(fmt::format(fmt::runtime(process.needs_job), job.control)));
+  if (process.words.needs_job == nullptr || (process.names_tools && !options.tools.empty())) return true;
+  diagnostics.add(usageError(fmt::format(fmt::runtime(process.words.needs_job), job.control)));
   return false;
 }
 

@@ -120,7 +120,7 @@ ReportStock reportStock(const RunResult& run) {
 ErrorTerm gridTerm(const RunResult& run, double bound_mm) {
   return {"grid", bound_mm,
           fmt::format("facets of the mesh between exact crossings of a {:g} mm grid{}", run.resolution_mm,
-                      processOf(run.setups.back()).accuracy.grid)};
+                      processOf(run.setups.back()).words.exact_grid)};
 }
 
 ErrorTerm simplifyTerm(double bound_mm) {
@@ -145,13 +145,12 @@ double heightOf(const std::vector<StockBody>& bodies) {
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
   const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
   std::vector<ErrorTerm> terms;
-  const Process::Accuracy &first = processOf(run.setups.front()).accuracy,
-                          &last = processOf(run.setups.back()).accuracy;
-  const bool swept = last.section == nullptr;
-  if (first.section != nullptr) terms.push_back({"section", kSectionChordMm, first.section});
+  const ProcessWords &first = processOf(run.setups.front()).words, &last = processOf(run.setups.back()).words;
+  const bool swept = last.exact_section == nullptr;
+  if (first.exact_section != nullptr) terms.push_back({"section", kSectionChordMm, first.exact_section});
   if (run.isOfFacets()) {
-    PROVEOUT_ASSERT(last.facets != nullptr);  // such meshes come from sections
-    terms.push_back({"facets", grid, last.facets(run.setups.back().job)});
+    PROVEOUT_ASSERT(last.exact_facets != nullptr);  // such meshes come from sections
+    terms.push_back({"facets", grid, last.exact_facets(run.setups.back().job)});
   } else {
     terms.push_back(gridTerm(run, grid));
     terms.push_back(simplifyTerm(simplification(run.setups.back().job, run.resolution_mm)));
@@ -162,7 +161,7 @@ std::vector<ErrorTerm> errorBudget(const RunResult& run) {
                      "mesh and add the chord height h^2/(8r) of walls that were cut before; edges then may "
                      "be off by a third of a cell"});
   }
-  terms.push_back({"tool", 0.0, last.tool});
+  terms.push_back({"tool", 0.0, last.exact_tool});
   if (swept) terms.push_back({"arcs", 0.0, "arcs and helices are swept as such, not as chords"});
   if (run.comparison) {
     terms.push_back({"nominal", run.comparison->nominal_chord_mm,

@@ -64,15 +64,20 @@ Result<std::unique_ptr<Fixtures>> fixtures(const SetupRun& setup, double resolut
 
 const Process kMillingProcess{
     .kind = ProcessKind::kMilling,
-    .verb = "mills",
+    .words = {.verb = "mills",
+              .tool_advice = "",
+              .needs_job = nullptr,
+              .exact_tool =
+                  "tools are exact solids of revolution; runout, wear and deflection are not simulated",
+              .exact_grid = kSweptGridAccuracy,
+              .exact_section = nullptr,
+              .exact_facets = nullptr},
     .part_turns = false,
     .on_grid = true,
     .always_changes_tool = true,
     .tool_turns = true,
     .starts_outside = true,
     .from_above = true,
-    .tool_advice = "",
-    .needs_job = nullptr,
     .names_tools = true,
     .cuts_through = false,
     .check = check,
@@ -82,11 +87,6 @@ const Process kMillingProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
-    .accuracy = {.tool =
-                     "tools are exact solids of revolution; runout, wear and deflection are not simulated",
-                 .grid = kSweptGridAccuracy,
-                 .section = nullptr,
-                 .facets = nullptr},
     .look = nullptr,
 };
 

@@ -159,18 +159,27 @@ std::string facetsText(const Job& setup) {
 
 const Process kTurningProcess{
     .kind = ProcessKind::kTurning,
-    .verb = "turns the part",
+    .words = {.verb = "turns the part",
+              .tool_advice = "",
+              .needs_job = "control {} turns with inserts, which a job file gives: a [[tool]] with type = "
+                           "\"insert\"; drills "
+                           "alone can be named "
+                           "here, as --tool 1=drill:10",
+              .exact_tool =
+                  "inserts are exact outlines; wear, deflection and the height of the tip are not simulated",
+              .exact_grid =
+                  ", at most h^2/(8r) at the smallest radius; of the mesh alone: the part is compared as its "
+                  "section and "
+                  "threads",
+              .exact_section =
+                  "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres",
+              .exact_facets = facetsText},
     .part_turns = true,
     .on_grid = false,
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = true,
     .from_above = false,
-    .tool_advice = "",
-    .needs_job =
-        "control {} turns with inserts, which a job file gives: a [[tool]] with type = \"insert\"; drills "
-        "alone can be named "
-        "here, as --tool 1=drill:10",
     .names_tools = true,
     .cuts_through = false,
     .check = check,
@@ -180,13 +189,6 @@ const Process kTurningProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
-    .accuracy =
-        {.tool = "inserts are exact outlines; wear, deflection and the height of the tip are not simulated",
-         .grid = ", at most h^2/(8r) at the smallest radius; of the mesh alone: the part is compared as its "
-                 "section and "
-                 "threads",
-         .section = "the half section is made of chords within 0.0001 mm of its arcs, rounded to nanometres",
-         .facets = facetsText},
     .look = nullptr,
 };
 

@@ -151,18 +151,24 @@ std::string facetsText(const Job& setup) {
 
 const Process kWireProcess{
     .kind = ProcessKind::kWire,
-    .verb = "cuts with a wire",
+    .words =
+        {.verb = "cuts with a wire",
+         .tool_advice = ": it needs a job file whose [[tool]] has type = \"wire\" and its diameter",
+         .needs_job =
+             "control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
+             "program, control, "
+             "[stock] and a [[tool]] with type = \"wire\" and its diameter",
+         .exact_tool = "the wire is a straight cylinder with its spark gap about it; that it lags, bows "
+                       "and vibrates is not simulated",
+         .exact_grid = kSweptGridAccuracy,
+         .exact_section = nullptr,
+         .exact_facets = facetsText},
     .part_turns = false,
     .on_grid = false,
     .always_changes_tool = false,
     .tool_turns = false,
     .starts_outside = false,
     .from_above = false,
-    .tool_advice = ": it needs a job file whose [[tool]] has type = \"wire\" and its diameter",
-    .needs_job =
-        "control {} cuts with a wire, which a job file gives: proveout run JOB.toml, where the job has "
-        "program, control, "
-        "[stock] and a [[tool]] with type = \"wire\" and its diameter",
     .names_tools = false,
     .cuts_through = true,
     .check = check,
@@ -172,11 +178,6 @@ const Process kWireProcess{
     .work = work,
     .make = make,
     .fixtures = fixtures,
-    .accuracy = {.tool = "the wire is a straight cylinder with its spark gap about it; that it lags, bows "
-                         "and vibrates is not simulated",
-                 .grid = kSweptGridAccuracy,
-                 .section = nullptr,
-                 .facets = facetsText},
     .look = addWireFindings,
 };
 

@@ -179,7 +179,7 @@ std::string toolRefusalOf(const Job& job) {
                          tool.type == ToolType::kInsert ? "a lathe insert"
                          : tool.type == ToolType::kWire ? "a wire"
                                                         : "a rotating tool",
-                         job.control, process.verb, process.tool_advice);
+                         job.control, process.words.verb, process.words.tool_advice);
   }
   return {};
 }

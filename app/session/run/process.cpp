@@ -23,7 +23,7 @@ Status checkThreading(const Job& job) {
   if (!job.start_holes.empty() && !first.cuts_through)
     return inputError(
         fmt::format("start holes are for a wire, and control {} {}: leave [[stock.start_hole]] out",
-                    jobOfSetup(job, 0).control, first.verb));
+                    jobOfSetup(job, 0).control, first.words.verb));
   return Done{};
 }
 
@@ -50,7 +50,7 @@ Status checkProcesses(const Job& job, const Blank& blank) {
     if (k > 0 && !mayFollow(processOf(job, k - 1), process))
       return inputError(fmt::format(
           "setup '{}': control {} {}, and what was clamped before cannot go on so: {}", job.setups[k].name,
-          jobOfSetup(job, k).control, process.verb,
+          jobOfSetup(job, k).control, process.words.verb,
           process.part_turns
               ? "only bars, tubes and what was turned can be turned; give the turned clampings first"
               : "no process goes over to this one"));

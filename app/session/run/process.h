@@ -30,19 +30,29 @@ class Fixtures {
                              std::vector<Finding>& findings, Progress& progress) = 0;
 };
 
+/// What messages and reports say of a process.
+struct ProcessWords {
+  std::string_view verb;    ///< of what its controls do: "mills"
+  const char* tool_advice;  ///< behind "control .. cannot work with this tool"; may be empty
+  /// What a job has to give that the command line cannot, with {} for the control; null: it can give all.
+  const char* needs_job;
+  // How exact a part is that it finished.
+  const char* exact_tool;     ///< why tools add no error
+  const char* exact_grid;     ///< of facets of a mesh from a grid, behind the first half of that sentence
+  const char* exact_section;  ///< of the section that stands for the part; null: swept volumes do
+  std::string (*exact_facets)(const Job& setup);  ///< of a mesh that is no grid's; null: there is none
+};
+
 struct Process {
   ProcessKind kind;
-  std::string_view verb;     ///< of what its controls do: "mills"
+  ProcessWords words;
   bool part_turns;           ///< the path lies in the plane of the spindle axis, its X is a radius
   bool on_grid;              ///< the workpiece is a grid
   bool always_changes_tool;  ///< at a place that clears the blank, even where tools have no length
   bool tool_turns;           ///< the spindle has to turn by the hand of the tool
   bool starts_outside;       ///< of the blank; else the tool may stand in a start hole
   bool from_above;           ///< tools come down to their depth
-  const char* tool_advice;   ///< behind "control .. cannot work with this tool"; may be empty
-  /// What a job has to give that the command line cannot, with {} for the control; null: it can give all.
-  const char* needs_job;
-  bool names_tools;   ///< the command line can name some of its tools
+  bool names_tools;          ///< the command line can name some of its tools
   bool cuts_through;  ///< into bodies: the blank may have start holes, the job may say which is the part
 
   /// Refuses what the process cannot start from or hold: blank, fixtures, start, place of the tool change of
@@ -62,14 +72,6 @@ struct Process {
   /// Those that tools come near to. Errors: a fixture that cannot be made.
   Result<std::unique_ptr<Fixtures>> (*fixtures)(const SetupRun& setup, double resolution_mm,
                                                 Progress& progress);
-  /// What a report says of how exact a part is that it finished.
-  struct Accuracy {
-    const char* tool;     ///< why tools add no error
-    const char* grid;     ///< of facets of a mesh from a grid, behind the first half of that sentence
-    const char* section;  ///< of the section that stands for the part; null: swept volumes do
-    std::string (*facets)(const Job& setup);  ///< of a mesh that is no grid's; null: there is none
-  };
-  Accuracy accuracy;
   /// Findings of its own on what a clamping made; null: none.
   void (*look)(const SetupRun& setup, const RecordingSource& texts, std::vector<Finding>& findings);
 };
@@ -89,7 +91,7 @@ Status checkProcesses(const Job& job, const Blank& blank);
 /// Whether a clamping's workpiece is on a grid, of which the job may choose the spacing.
 bool needsGrid(const Job& job);
 
-/// Process::Accuracy::grid where tools sweep volumes out of the grid.
+/// ProcessWords::exact_grid where tools sweep volumes out of the grid.
 inline constexpr const char* kSweptGridAccuracy =
     ": flat faces are exact, walls as curved as the smallest tool are off by at most h^2/(8r); details "
     "thinner than a "
