@@ -37,4 +37,24 @@ void placeMesh(const MeshPlacement& placement, TriMesh& mesh) {
   for (auto& p : mesh.positions) p = toFloat(motion(placement.scale * p.cast<double>()));
 }
 
+namespace {
+
+Eigen::Vector3f movedPoint(const RigidTransform& motion, const Eigen::Vector3f& p) {
+  return toFloat(motion(p.cast<double>()));
+}
+
+}  // namespace
+
+void moveMesh(const RigidTransform& motion, TriMesh& mesh) {
+  for (auto& p : mesh.positions) p = movedPoint(motion, p);
+}
+
+Box3 boundsMoved(const RigidTransform& motion, const TriMesh& mesh) {
+  Box3 bounds;
+  for (const auto& p : mesh.positions) {
+    if (const Eigen::Vector3f at = movedPoint(motion, p); at.allFinite()) bounds.extend(at.cast<double>());
+  }
+  return bounds;
+}
+
 }  // namespace proveout

@@ -28,4 +28,9 @@ Vec3 xyzDegOf(const Eigen::Matrix3d& rotation);
 /// Puts every point of the mesh where the placement says; coordinates are rounded to single precision.
 void placeMesh(const MeshPlacement& placement, TriMesh& mesh);
 
+/// Turns and moves every point of the mesh; coordinates are rounded to single precision.
+void moveMesh(const RigidTransform& motion, TriMesh& mesh);
+/// Bounds that the mesh would have behind moveMesh().
+Box3 boundsMoved(const RigidTransform& motion, const TriMesh& mesh);
+
 }  // namespace proveout

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/base/assert.h"
-#include "core/geometry/to_float.h"
+#include "core/mesh/mesh_placement.h"
 #include "removal/grid/earlier_stock.h"
 #include "removal/grid/face_numbers.h"
 #include "removal/grid/leaf_changes.h"
@@ -193,7 +193,7 @@ std::optional<StockShape> movedShape(const StockShape& shape, const RigidTransfo
     return FieldShape{field->body, {move.rotation * place.rotation, move(place.translation)}};
   }
   MeshShape mesh = std::get<MeshShape>(shape);
-  for (Eigen::Vector3f& p : mesh.mesh.positions) p = toFloat(move(p.cast<double>()));
+  moveMesh(move, mesh.mesh);
   return mesh;
 }
 
@@ -227,7 +227,7 @@ Result<Stock> Stock::moved(const RigidTransform& move, const RemovalOptions& opt
   shape.name = "the stock of the clamping before";
   shape.mesh = std::move(surface->mesh);
   shape.mesh.motion.clear();
-  for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
+  moveMesh(move, shape.mesh);
   Result<Stock> stock = create(shape, at_own_grid, progress);
   if (stock) {
     stock->impl_->made_from = nullptr;

@@ -5,7 +5,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/stopwatch.h"
-#include "core/geometry/to_float.h"
+#include "core/mesh/mesh_placement.h"
 #include "removal/process/wire_grid_piece.h"
 #include "removal/process/wire_part.h"
 #include "removal/wire/lean/wall_meetings.h"
@@ -92,7 +92,7 @@ Result<std::unique_ptr<Workpiece>> WirePiece::become(ProcessKind next, const Rig
   for (StockBody& body : apart) body.bounds = move(body.bounds);
   MeshShape shape{stock_.mesh({*part_}, options.facet_mm), "what the wire left"};
   shape.mesh.motion.clear();
-  for (Eigen::Vector3f& p : shape.mesh.positions) p = toFloat(move(p.cast<double>()));
+  moveMesh(move, shape.mesh);
   if (next == ProcessKind::kTurning)
     return inputError("what a wire has cut cannot be turned: only bars, tubes and what is still round can");
   // Out of a box somewhat larger: the grid then has the crossings of the mesh alone.

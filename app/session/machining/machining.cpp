@@ -19,6 +19,7 @@
 #include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
+#include "core/mesh/mesh_placement.h"
 #include "io/sha256.h"
 #include "removal/process/part_choice.h"
 
@@ -82,26 +83,25 @@ Result<std::size_t> keep(Machined&& made, const PartWish& wish, SetupRun& setup,
   return told;
 }
 
-/// What a clamping began with.
-struct Clamped {
-  Box3 bounds;
-  const StockShape* blank = nullptr;  ///< of the first clamping
-  std::optional<TriMesh> left_before = {};
-};
-
-Clamped clampedIn(const PreparedRun& prepared, std::size_t k) {
-  if (k == 0) return {prepared.blank.bounds, &prepared.blank.shape, std::nullopt};
-  Clamped clamped;
-  clamped.left_before = prepared.run.setups[k - 1].surface.mesh;
-  for (Eigen::Vector3f& p : clamped.left_before->positions)
-    p = prepared.run.setups[k].from_previous(Vec3(p.cast<double>())).cast<float>();
-  clamped.bounds = meshBounds(*clamped.left_before);
-  return clamped;
+/// The program of a clamping, with what that began with.
+CheckedProgram programOf(const PreparedRun& prepared, std::size_t k, const RecordingSource& source) {
+  const SetupRun& setup = prepared.run.setups[k];
+  CheckedProgram program{setup.job, setup.interpreted.path, source};
+  if (k == 0) {
+    program.blank = prepared.blank.bounds;
+    program.shape = &prepared.blank.shape;
+  } else {
+    const TriMesh& left = prepared.run.setups[k - 1].surface.mesh;
+    program.blank = boundsMoved(setup.from_previous, left);
+    program.left_before.emplace(LeftBefore{left, setup.from_previous});
+  }
+  return program;
 }
 
 /// Findings on what a clamping made. `touched`: those of its fixtures.
-void lookAt(const SetupRun& setup, const Clamped& clamped, std::size_t told_bodies,
-            const RecordingSource& source, std::vector<Finding>&& touched, RunResult& run) {
+void lookAt(const SetupRun& setup, const CheckedProgram& program, std::size_t told_bodies,
+            std::vector<Finding>&& touched, RunResult& run) {
+  const RecordingSource& source = program.texts;
   inSetup(run, setup, [&](std::vector<Finding>& findings) {
     addContacts(setup.removal.contacts, setup.job.simulation.contact_mm, setup.interpreted.path, source,
                 findings);
@@ -115,9 +115,7 @@ void lookAt(const SetupRun& setup, const Clamped& clamped, std::size_t told_bodi
     addNoseFindings(setup, least_mm, source, findings);
     addToolOffsets(setup, least_mm, source, findings);
     addImplausible(setup, source, findings);
-    addProgramFindings({setup.job, setup.interpreted.path, source, clamped.bounds, clamped.blank,
-                        clamped.left_before ? &*clamped.left_before : nullptr},
-                       findings);
+    addProgramFindings(program, findings);
     addPartedBodies(setup, source, findings);
     const Process& process = processOf(setup.job.control);
     if (process.look != nullptr) process.look(setup, source, findings);
@@ -195,7 +193,7 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
     if (!told) return told.error();
     std::vector<Finding> touched;
     if (Status done = (*fixtures)->addContacts(setup, *sources[k], touched, progress); !done) return done;
-    lookAt(setup, clampedIn(prepared, k), *told, *sources[k], std::move(touched), run);
+    lookAt(setup, programOf(prepared, k, *sources[k]), *told, std::move(touched), run);
     if (setup.surface.mesh.triangles.empty()) {
       run.setups.resize(k + 1);  // there is nothing to clamp again
     } else if (in_mesh && k + 1 < run.setups.size()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/session/programs/interpretation.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/geometry/types.h"
 #include "core/mesh/tri_mesh.h"
 #include "io/job/job.h"
@@ -12,6 +13,12 @@
 #include "removal/grid/stock_shape.h"
 
 namespace proveout {
+
+/// What the clamping before left, in its frame, and how that moved into this clamping.
+struct LeftBefore {
+  const TriMesh& mesh;
+  const RigidTransform& moved;
+};
 
 /// A program as it was read. All that it refers to must outlive it.
 struct CheckedProgram {
@@ -21,7 +28,7 @@ struct CheckedProgram {
   std::optional<Box3> blank = {};  ///< bounds of what is clamped, workpiece frame; none: it is not known
   /// What is clamped: the blank, or what the clamping before left; null: its bounds alone are known.
   const StockShape* shape = nullptr;
-  const TriMesh* left_before = nullptr;
+  std::optional<LeftBefore> left_before = {};
 };
 
 /// Values that can hardly be meant, and what the machine or its tools would not bear: times and dwells, feeds

@@ -10,6 +10,7 @@
 
 #include "app/session/program_checks/local_top.h"
 #include "app/session/run/process.h"
+#include "core/mesh/mesh_placement.h"
 #include "core/tool/tool_table.h"
 #include "io/report_text.h"
 #include "removal/grid/stock_shape.h"
@@ -72,15 +73,22 @@ class RetractCheck {
   }
 
   /// Of what is clamped, near a place.
-  std::optional<double> partTop(const Vec2& place, double reach) const {
-    if (program_.left_before != nullptr) return topNear(*program_.left_before, place, reach);
+  std::optional<double> partTop(const Vec2& place, double reach) {
+    if (program_.left_before) return topNear(leftBefore(), place, reach);
     const bool saved = program_.shape != nullptr && std::holds_alternative<SavedStock>(*program_.shape);
     if (program_.shape != nullptr && !saved) return topNear(*program_.shape, place, reach);
     if (!program_.blank) return std::nullopt;
     return topNear(StockShape(BoxShape{program_.blank->min, program_.blank->max}), place, reach);
   }
 
-  std::string whereMilling(const Motion& motion) const {
+  /// What the clamping before left, in this one; moved when it is first asked for.
+  const TriMesh& leftBefore() {
+    if (!left_before_)
+      moveMesh(program_.left_before->moved, left_before_.emplace(program_.left_before->mesh));
+    return *left_before_;
+  }
+
+  std::string whereMilling(const Motion& motion) {
     const Tool* const tool = tools_.find(motion.tool);
     const double reach = kBesideMm + (tool != nullptr ? 0.5 * tool->diameter : 0.0);
     const Vec2 place = motion.to.head<2>();
@@ -115,6 +123,7 @@ class RetractCheck {
   ToolTable tools_;
   bool turns_;
   std::vector<std::pair<std::string, StockShape>> fixtures_;  ///< by name
+  std::optional<TriMesh> left_before_;
 };
 
 }  // namespace
