@@ -124,9 +124,9 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   report.checks.comparison = result.comparison.has_value();
   report.resolution_mm = options.resolution_mm;
   Diagnostics notes;
-  noteRepairs(pair.machined.notes, "mesh", notes);
-  noteRepairs(pair.nominal.notes, "mesh", notes);
-  if (result.comparison && !result.fault.text.empty()) noteRepairs({result.fault.text}, "nominal", notes);
+  addMeshWarnings(pair.machined.notes, "mesh", notes);
+  addMeshWarnings(pair.nominal.notes, "mesh", notes);
+  if (result.comparison && !result.fault.text.empty()) addMeshWarnings({result.fault.text}, "nominal", notes);
   report.diagnostics = notes.all();
   addFound(pair, result, report);
   const std::pair<const char*, std::string> files[] = {{"machined", options.machined},

@@ -41,7 +41,7 @@ bool tellElsewhere(const Job& job, const PreparedRun& prepared, RunResult& run) 
     fault.text +=
         fmt::format("; or the blank is wrong, which was read with unit \"{}\"", meshUnitName(mesh->unit));
   if (fault.comparable) {
-    noteRepairs({std::move(fault.text)}, "nominal", run.setups.back().interpreted.path.diagnostics);
+    addMeshWarnings({std::move(fault.text)}, "nominal", run.setups.back().interpreted.path.diagnostics);
     return false;
   }
   Finding finding(FindingKind::kNominalPlacement);
@@ -113,8 +113,8 @@ Status interpretAndPredict(const Job& job, const RunSources& sources, PreparedRu
   if (Status done = interpretAll(job, sources, prepared.blank, run, progress); !done) return done;
   run.performance.interpret_s = watch.lap();
   if (prepared.nominal)
-    noteRepairs(prepared.nominal->notes, "nominal", run.setups.back().interpreted.path.diagnostics);
-  noteRepairs(prepared.blank.repairs, "stock", run.setups.front().interpreted.path.diagnostics);
+    addMeshWarnings(prepared.nominal->notes, "nominal", run.setups.back().interpreted.path.diagnostics);
+  addMeshWarnings(prepared.blank.repairs, "stock", run.setups.front().interpreted.path.diagnostics);
   if (run.alarm) return Done{};
   if (Status possible = checkTurned(run); !possible) return possible;
   const Workload work = workOf(job, prepared);

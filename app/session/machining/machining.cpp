@@ -171,7 +171,7 @@ Status machineAll(const Job& job, const RunSources& sources, PreparedRun& prepar
     PieceOptions options = pieceOptions(job, prepared, k);
     Result<std::unique_ptr<Fixtures>> fixtures = process.fixtures(setup, run.resolution_mm, progress);
     if (!fixtures) return fixtures.error();
-    noteRepairs((*fixtures)->repairs(), "fixture", setup.interpreted.path.diagnostics);
+    addMeshWarnings((*fixtures)->repairs(), "fixture", setup.interpreted.path.diagnostics);
     (*fixtures)->hold(movedBounds(job, prepared.blank.bounds, k), options);
     watch.lap();
     Result<std::unique_ptr<Workpiece>> clamped =

@@ -7,12 +7,13 @@
 
 namespace proveout {
 
-void noteRepairs(const std::vector<std::string>& repairs, const std::string& code, Diagnostics& diagnostics) {
-  for (const std::string& note : repairs) {
+void addMeshWarnings(const std::vector<std::string>& texts, const std::string& code,
+                     Diagnostics& diagnostics) {
+  for (const std::string& text : texts) {
     Diagnostic diagnostic;
     diagnostic.severity = Severity::kWarning;
     diagnostic.code = code;
-    diagnostic.message = note;
+    diagnostic.message = text;
     diagnostics.add(std::move(diagnostic));
   }
 }

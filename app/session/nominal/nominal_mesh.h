@@ -10,8 +10,9 @@
 
 namespace proveout {
 
-/// Adds what was repaired in a mesh, one sentence each, as warnings with the given code.
-void noteRepairs(const std::vector<std::string>& repairs, const std::string& code, Diagnostics& diagnostics);
+/// Adds warnings of one code: what was repaired in a mesh or is doubtful about it, one sentence each.
+void addMeshWarnings(const std::vector<std::string>& texts, const std::string& code,
+                     Diagnostics& diagnostics);
 
 /// Reads the nominal mesh, puts it where the job says and makes a solid of it; what was repaired becomes
 /// warnings.
