@@ -6,33 +6,20 @@
 
 #include "app/run_report.h"
 #include "app/session/findings/uncertainty.h"
-#include "app/session/session.h"
+#include "tests/unit/app/block_job.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
 
 /// A block of 40 x 30 x 20, its top at Z0; tool 1 a flat of 8, tool 2 a ball of 6 to measure with.
 Job probingJob() {
-  Job job;
-  job.name = "probing";
-  job.control = "nct";
-  job.stock = BoxShape{{0, 0, -20}, {40, 30, 0}};
-  Tool flat, ball;
-  flat.number = 1;
-  flat.diameter = 8;
-  ball.number = 2;
-  ball.type = ToolType::kBall;
-  ball.diameter = 6;
-  job.tools = {flat, ball};
-  job.simulation.resolution_mm = 0.5;
-  return job;
+  return app_test::blockJob("probing", {40, 30, 20},
+                            {app_test::toolOf(1, 8), app_test::toolOf(2, 6, ToolType::kBall)});
 }
 
 Result<RunResult> run(const Job& job, const std::string& program) {
-  const MemoryProgramSource memory("part.nc", "G21 G90 G94 T1 M6\n" + program + "M30\n");
-  const RecordingSource source(memory, TextEncoding::kAuto);
-  Progress progress;
-  return runRecorded(job, {&source}, progress);
+  return app_test::run(job, {"G21 G90 G94 T1 M6\n" + program + "M30\n"});
 }
 
 /// A pocket X8 to X32, Y7 to Y22, 5 deep, corners of 4.

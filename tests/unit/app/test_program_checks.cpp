@@ -3,27 +3,21 @@
 #include <gtest/gtest.h>
 
 #include "app/session/machining/programs.h"
-#include "memory_run.h"
+#include "tests/unit/app/block_job.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
 
+using app_test::blockJob;
+using app_test::ofKind;
+using app_test::toolOf;
 using testing::HasSubstr;
 
 /// A plate of 60 by 40 by 10 with a mill of 10 and a drill of 6.
 Job plate(const std::string& control = "nct") {
-  Job job;
-  job.name = "plate";
+  Job job = blockJob("plate", {60, 40, 10}, {toolOf(1, 10), toolOf(2, 6, ToolType::kDrill)});
   job.control = control;
-  job.stock = BoxShape{{0, 0, -10}, {60, 40, 0}};
-  Tool mill, drill;
-  mill.number = 1;
-  mill.diameter = 10;
-  drill.number = 2;
-  drill.type = ToolType::kDrill;
-  drill.diameter = 6;
-  job.tools = {mill, drill};
-  job.simulation.resolution_mm = 0.5;
   return job;
 }
 
@@ -46,14 +40,6 @@ Job bar(const std::string& control) {
     job.tools.push_back(tool);
   }
   return job;
-}
-
-std::vector<Finding> ofKind(const std::vector<Finding>& all, FindingKind kind) {
-  std::vector<Finding> found;
-  for (const Finding& finding : all) {
-    if (finding.kind == kind) found.push_back(finding);
-  }
-  return found;
 }
 
 std::vector<Finding> told(const Job& job, const std::string& program, FindingKind kind) {

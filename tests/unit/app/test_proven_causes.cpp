@@ -5,6 +5,7 @@
 #include "app/session/session.h"
 #include "io/mesh_io.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/unit/app/block_job.h"
 #include "tests/unit/app/memory_run.h"
 
 namespace proveout {
@@ -45,16 +46,8 @@ const std::string kProgram =
 class ProvenCauses : public testing::Test {
  protected:
   ProvenCauses() {
-    job.name = "plate";
-    job.control = "nct";
-    job.stock = BoxShape{{0, 0, -10}, {60, 40, 0}};
-    Tool mill, drill;
-    mill.number = 1;
-    mill.diameter = 10;
-    drill.number = 2;
-    drill.type = ToolType::kDrill;
-    drill.diameter = 6;
-    job.tools = {mill, drill};
+    job = app_test::blockJob("plate", {60, 40, 10},
+                             {app_test::toolOf(1, 10), app_test::toolOf(2, 6, ToolType::kDrill)});
     job.simulation.resolution_mm = 0.3;
     job.simulation.simplify_mm = 1e-3;
     job.settings.placement.origin = Vec3(0, 0, 0);

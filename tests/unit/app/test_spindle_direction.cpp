@@ -1,40 +1,22 @@
 #include <gtest/gtest.h>
 
 #include "app/session/findings/spindle_direction.h"
-#include "app/session/session.h"
+#include "tests/unit/app/block_job.h"
+#include "tests/unit/app/memory_run.h"
 
 namespace proveout {
 namespace {
 
 Job twoToolsJob() {
-  Job job;
-  job.name = "direction";
-  job.control = "nct";
-  job.stock = BoxShape{{0, 0, -20}, {40, 30, 0}};
-  Tool mill, drill;
-  mill.number = 1;
-  mill.diameter = 6;
-  drill.number = 2;
-  drill.type = ToolType::kDrill;
-  drill.diameter = 5;
-  job.tools = {mill, drill};
-  job.simulation.resolution_mm = 0.5;
-  return job;
+  return app_test::blockJob("direction", {40, 30, 20},
+                            {app_test::toolOf(1, 6), app_test::toolOf(2, 5, ToolType::kDrill)});
 }
 
 std::vector<Finding> told(const Job& job, const std::string& program,
                           FindingKind kind = FindingKind::kSpindleDirection) {
-  const MemoryProgramSource memory("part.nc", program);
-  const RecordingSource source(memory, TextEncoding::kAuto);
-  Progress progress;
-  const Result<RunResult> run = runRecorded(job, {&source}, progress);
+  const Result<RunResult> run = app_test::run(job, {program});
   EXPECT_TRUE(run.ok() && !run->alarm);
-  std::vector<Finding> found;
-  if (!run.ok()) return found;
-  for (const Finding& finding : run->findings) {
-    if (finding.kind == kind) found.push_back(finding);
-  }
-  return found;
+  return run.ok() ? app_test::ofKind(run->findings, kind) : std::vector<Finding>{};
 }
 
 constexpr const char* kSlot = "G0 X-10 Y15 Z-2\nG1 X50 F500\nG0 Z20\n";
