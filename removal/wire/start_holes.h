@@ -12,8 +12,8 @@ namespace proveout {
 /// Walls between holes, and between a hole and the border, are thicker than this, mm.
 inline constexpr double kLeastWallMm = 1e-3;
 
-/// Adds the holes to the hollows of the blank. Errors: a hole that is not all inside of the blank, or that
-/// comes to another one.
+/// Adds the holes to the hollows of the blank. Errors: a hole that does not lie wholly inside the blank, or
+/// that meets another one.
 Status addStartHoles(PrismBlank& blank, const std::vector<StartHole>& holes);
 
 }  // namespace proveout

@@ -22,7 +22,7 @@ namespace {
 /// Way of a leaning wire within which it is known when a piece came free, mm: by the chords of its walls.
 constexpr double kFallWayMm = 2e-3;
 
-/// Of several heights the contacts of one motion are one.
+/// Joins the contacts of one motion at several heights.
 void addContact(Contact contact, double z, double share, std::map<MotionId, Contact>& found) {
   contact.where.z() = z;
   contact.volume_mm3 *= share;
@@ -191,8 +191,8 @@ std::vector<Vec2> WireStock::heldPlaces(const std::vector<LeanFall>& falls, doub
   return places;
 }
 
-/// Pieces that fell before the wire passed over them are as they were then. Those that cannot leave stay, and
-/// what is left of them at last may be several bodies.
+/// Pieces that fell before the wire passed over them stay as they were then. Pieces that cannot leave remain
+/// in place, and what is finally left of one may be several bodies.
 Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<LeanFall>& falls,
                              double tolerance, Progress& progress) {
   const HeightSpan span{blank_.z_low, blank_.z_high};
@@ -212,7 +212,8 @@ Status WireStock::keepFallen(const std::vector<LeanStretch>& cuts, std::vector<L
       replace();
       continue;
     }
-    // What cannot leave at last could not when there was more of it, and of what holds it.
+    // A piece that cannot leave at the end could not leave earlier, when there was more of it and of its
+    // holder.
     if (fall.passed_over && fall.falls) {
       if (!solid_at.contains(fall.fell)) {
         Result<LeanSolid> then =

@@ -18,7 +18,7 @@
 namespace proveout {
 namespace {
 
-/// Contacts thinner than this are touches, mm.
+/// Contacts thinner than this are mere touches, and not reported, mm.
 constexpr double kTouch = 1e-3;
 /// The blank's arcs, where only places in the middle of the kerf are asked about, mm.
 constexpr double kCoarse = 0.02;

@@ -13,7 +13,7 @@
 namespace proveout {
 namespace {
 
-/// Touches that go in less than this are none, mm.
+/// A touch less deep than this is not reported, mm.
 constexpr double kLeastMm = 1e-3;
 /// How far the wire is followed above and below the fixture, mm: its ends are outside of it.
 constexpr double kBeyondMm = 1.0;

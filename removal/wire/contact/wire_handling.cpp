@@ -50,7 +50,8 @@ std::vector<MotionId> threadedBefore(const Toolpath& path, const std::vector<Con
   return out;
 }
 
-/// The first motion behind `id` in front of which the program stops or the wire is cut; none: there is none.
+/// The first motion behind `id` before which the program stops or the wire is cut; none if there is no such
+/// motion.
 std::optional<MotionId> nextStop(const Toolpath& path, MotionId id) {
   for (const Toolpath::EventAt& at : path.events) {
     if (at.before <= id) continue;

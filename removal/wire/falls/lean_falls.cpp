@@ -65,7 +65,7 @@ class LevelFalls {
   std::vector<PlanePolygons> regions_;
 };
 
-/// One body as it is free; none: it is held somewhere.
+/// When one body is free; none if it is held somewhere.
 std::optional<LeanFall> fallOf(const std::vector<LevelFalls>& heights, std::size_t body) {
   LeanFall fall;
   fall.bodies = {body};
@@ -81,7 +81,7 @@ std::optional<LeanFall> fallOf(const std::vector<LevelFalls>& heights, std::size
   return fall.fell > CutTime{} ? std::optional(std::move(fall)) : std::nullopt;
 }
 
-/// What is left of one piece, free at the same time and at the same place, is one fall.
+/// Bodies that are left of one piece, free at the same time and in the same place, make one fall.
 void join(LeanFall fall, std::vector<LeanFall>& falls) {
   const auto same = std::find_if(falls.begin(), falls.end(), [&](const LeanFall& other) {
     return other.passed_over && fall.passed_over && other.fell == fall.fell &&

@@ -16,15 +16,16 @@
 namespace proveout {
 namespace {
 
-/// Wider ones are walls of the part, mm.
+/// Wider bridges are walls of the part, mm.
 constexpr double kWidestBridge = 10.0;
-/// Directions about an end that are looked in, and how many beside each other must show its round front.
+/// How many directions about an end are searched, and how many consecutive ones must show its round front.
 constexpr int kRays = 64, kFrontRays = 3;
 /// Of chords, and by how much a front may be off its circle, mm.
 constexpr double kChordMm = 1e-4, kOffCircle = 3e-4;
 /// Material that is no farther from an end than so many kerfs is beside it.
 constexpr double kBeside = 1.5;
-/// Pieces have room for a circle of this radius, in widths of their bridge: others are walls of one width.
+/// A piece has room for a circle of this radius, in widths of its bridge; what has not is a wall of one
+/// width.
 constexpr double kRoom = 0.75, kRoomTolerance = 0.01;
 
 struct Place {

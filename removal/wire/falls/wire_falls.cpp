@@ -19,14 +19,14 @@ namespace {
 
 /// Of the chords of ways and pieces, mm.
 constexpr double kPieceChordMm = 1e-3;
-/// Ways that come less deep into the hull of a piece do not go through it, mm.
+/// A way that enters the hull of a piece by less than this does not go through it, mm.
 constexpr double kIntoMm = 0.005;
-/// How far it is looked back from the last cut about a body for the one that closed it.
+/// How far the search for the cut that closed a body goes back from the last cut about it.
 constexpr double kLookBackKerfs = 8.0;
 /// Way of the wire, in half widths of the kerf, on which it trims the cusp that its front leaves on a piece,
 /// where it comes to meet a kerf's round end.
 constexpr double kTrimKerfs = 2.0;
-/// Pieces that come free within so much of way do so at once, mm.
+/// Pieces that come free within so much of way come free at the same time, mm.
 constexpr double kSameTimeMm = 1e-3;
 
 bool isIn(const Box3& box, const Vec2& p) {

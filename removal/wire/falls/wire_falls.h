@@ -31,7 +31,7 @@ WireFalls findFalls(const std::vector<PlaneLoop>& blank, const std::vector<WireS
                     std::vector<PlaneBody> last, const WireHolding& holding);
 
 /// The first stretch behind the motion that closed the cut and before `end` that goes through the convex hull
-/// of the piece, where it may still lie; `end`: there is none.
+/// of the piece, where it may still lie; `end` if there is no such stretch.
 std::uint32_t firstThrough(const FreePiece& piece, const std::vector<WireStretch>& cuts, std::uint32_t end);
 
 }  // namespace proveout

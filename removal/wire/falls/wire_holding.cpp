@@ -18,7 +18,7 @@ namespace {
 
 /// Of the chords of a body, mm.
 constexpr double kBodyChordMm = 1e-3;
-/// At so many heights in y it is looked for a point well inside of a region.
+/// At so many values of y a point well inside of a region is searched for.
 constexpr int kScanLines = 7;
 
 Box3 boxOf(const std::vector<Vec2>& polygon) {

@@ -13,9 +13,9 @@ namespace {
 /// Slabs are halved until they are lower than this share of the triangle that stood in them, but not where
 /// walls meet, mm: there sections without thin places help.
 constexpr double kShare = 0.5, kLowest = 1e-3;
-/// Walls that run along each other come as near at other heights.
+/// Walls that run along each other come equally near at other heights.
 constexpr double kFarther = 8.0;
-/// What floats are off their heights, by these.
+/// Rounding error of float heights, as a share of them.
 constexpr double kRounding = 1e-7;
 
 double slackAt(double z) { return kRounding * (1.0 + std::abs(z)); }

@@ -15,15 +15,15 @@
 namespace proveout {
 namespace {
 
-/// Slabs thinner than twice this are not halved, mm.
+/// Slabs thinner than twice this are not halved any more, mm.
 constexpr double kThinnest = 5e-4;
 
-/// Rounds in which walls are parted, at most: each finds out where they must not be.
+/// Most rounds in which walls are divided: each finds out where they must not be.
 constexpr int kMostRounds = 12;
 /// How often heights are halved where walls run through each other, at most; and so that this does not help.
 constexpr int kMostFiner = 6, kMostWorse = 2;
 
-/// Points of sections that are kept though no level has them, at most: 30 MB.
+/// Most points of sections that are kept although no level uses them: 30 MB.
 constexpr std::size_t kMostSpare = 1'000'000;
 
 using Names = std::unordered_set<WallName>;

@@ -20,14 +20,15 @@ using ClipperLib::Paths;
 /// Stretches that have one outline: at its ends it is round, and between heights walls there have to be
 /// halved.
 constexpr std::size_t kRunStretches = 192;
-/// Ends nearer to each other are one, mm; shorter stretches stand.
+/// Ends nearer to each other than this count as the same point, mm; on shorter stretches the wire stands
+/// still.
 constexpr double kLeanJoined = 1e-7;
 /// Inner corners that turn by more go by way of the corner itself.
 constexpr double kLeanSharpTurn = 0.5;
 /// From the ellipse at a corner to where its sides meet: no more, and they are one line with a point on it,
 /// mm.
 constexpr double kHardlyTurned = 5e-6;
-/// Ellipses that differ by less are one, mm.
+/// Ellipses that differ by less than this count as equal, mm.
 constexpr double kSameEllipse = 1e-6;
 
 bool stands(const LevelStretch& s) { return s.length() <= kLeanJoined; }

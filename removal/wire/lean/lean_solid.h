@@ -22,7 +22,7 @@ struct LeanSolid {
   /// From below; body_of[level][region] counts as `bodies`.
   std::vector<LevelSection> levels;
   std::vector<std::vector<std::uint32_t>> body_of;
-  bool runs_through_itself = false;  ///< some triangles of the bodies' meshes do, also of different bodies
+  bool runs_through_itself = false;  ///< meshes of the bodies intersect themselves or each other
 };
 
 /// The blank less the kerfs. Between two levels the triangles leave the section by no more than

@@ -15,9 +15,9 @@ namespace {
 constexpr double kSagitta = 2e-4;
 /// The kerf of a piece is that between two ellipses; they differ by no more than a change of lean by this.
 constexpr double kLeanStep = 0.01;
-/// Rows of triangles that addLeanStretches() promises for: their points cost less than sections.
+/// Rows of triangles for which addLeanStretches() keeps its promise: their points cost less than sections.
 constexpr double kTwistRows = 64.0;
-/// Pieces of a motion, at most.
+/// Most pieces of one motion.
 constexpr int kMostPieces = 20000;
 /// Shares of a motion at which its bends are looked at.
 constexpr int kSamples = 32;

@@ -9,10 +9,10 @@
 namespace proveout {
 namespace {
 
-/// Names that are looked ahead for one that both loops have.
+/// How many names are looked ahead for one that both loops have.
 constexpr std::size_t kLookAhead = 512;
-/// Corners of upright walls are no farther from each other, mm; those that run along a wall may be off by
-/// more.
+/// Largest distance between matching corners of upright walls, mm; corners that slide along a wall may be
+/// farther apart.
 constexpr double kRungMm = 0.02;
 
 /// Edges of a loop that follow each other and have one name.
@@ -147,7 +147,7 @@ class Walker {
   double whole_ = 0.0, gone_ = 0.0;
 };
 
-/// Shares that differ by less are one: there the shorter diagonal decides.
+/// Shares that differ by less count as equal: there the shorter diagonal decides.
 constexpr double kSameShare = 1e-9;
 
 bool lowerGoes(const Walker& a, const Walker& b) {

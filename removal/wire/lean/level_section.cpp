@@ -21,13 +21,15 @@ namespace {
 
 using namespace wire_detail;
 
-/// An edge lies off its curve by its chord and rounding, mm; looked for somewhat farther.
+/// An edge deviates from its curve by its chord height and by rounding; the search reaches somewhat farther,
+/// mm.
 constexpr double kNameReach = 3e-4;
-/// The blank's chords leave its arcs by no more, mm.
+/// Largest deviation of the blank's chords from its arcs, mm.
 constexpr double kBlankChord = 2e-5;
-/// Distances that differ by less are equal, mm: the same way, gone twice.
+/// Distances that differ by less count as equal, mm: the wire went the same way twice.
 constexpr double kOneDistance = 1e-8;
-/// Straight edges of one name are one where their corner is nearer to the line than this, mm.
+/// Straight edges with the same name are joined where their common corner is nearer to the line than this,
+/// mm.
 constexpr double kOnLine = 2e-6;
 /// Edges that are named by one task.
 constexpr std::size_t kNamesATask = 512;

@@ -12,13 +12,13 @@
 namespace proveout {
 namespace {
 
-/// Two triangles that go on behind an edge at which there are more.
+/// Two triangles that belong together at a non-manifold edge.
 struct SharedEdge {
   std::uint32_t triangle, other;
   std::uint32_t from, to;  ///< as `triangle` has it
 };
 
-/// All but one pair at each edge of more than two triangles.
+/// All pairs but one at each non-manifold edge, one that more than two triangles share.
 std::vector<SharedEdge> sharedEdges(const TriMesh& mesh) {
   std::vector<SharedEdge> shared;
   std::vector<std::uint32_t> partner;  // made where it is needed
@@ -38,7 +38,7 @@ std::vector<SharedEdge> sharedEdges(const TriMesh& mesh) {
   return shared;
 }
 
-/// Gives pairs of triangles a vertex of their own on their edge.
+/// Gives each pair of triangles its own vertex on the edge.
 class EdgeDivider {
  public:
   explicit EdgeDivider(TriMesh& mesh) : mesh_(mesh) {}
@@ -74,8 +74,8 @@ class EdgeDivider {
   std::map<std::uint32_t, std::vector<std::uint32_t>> pieces_;
 };
 
-/// Corners that several fans have, each for itself, stand back from each other by some steps of a mesh,
-/// level: what only touches would be told as running through itself.
+/// Corners at which several fans of triangles touch stand back from each other by some steps of a mesh, in a
+/// level plane: a mesh that only touches itself would be reported as self-intersecting.
 class FansApart {
  public:
   explicit FansApart(TriMesh& mesh) : mesh_(mesh) {
@@ -108,7 +108,7 @@ class FansApart {
   }
 
  private:
-  /// Less than what is merged to one corner where walls meet.
+  /// Less than the distance within which corners are merged where walls meet.
   static constexpr double kSteps = 1.0;
 
   Vec2 levelOf(std::uint32_t v) const { return mesh_.positions[v].head<2>().cast<double>(); }

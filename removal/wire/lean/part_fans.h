@@ -1,4 +1,4 @@
-// Parts the surface of a body where it touches itself along edges or in points.
+// Separates the surface of a body where it touches itself, at non-manifold edges and vertices.
 #pragma once
 
 #include "core/mesh/tri_mesh.h"

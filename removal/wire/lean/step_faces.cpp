@@ -19,7 +19,7 @@ using Ids = std::vector<std::uint32_t>;
 
 LoopEdge reversed(const LoopEdge& e) { return {e[1], e[0]}; }
 
-/// What is left where edges that go to and fro are none: each one once, in order.
+/// The edges that are left when those that run to and fro cancel out: each one once, in order.
 std::vector<LoopEdge> withoutReturns(const std::vector<LoopEdge>& edges) {
   std::map<LoopEdge, int> count;
   for (const LoopEdge& e : edges) {

@@ -9,14 +9,14 @@
 
 namespace proveout::wire_detail {
 
-/// What walls of a section keep apart, mm: some steps of a mesh at its outermost corner.
+/// Least distance between walls of a section, mm: some steps of a mesh at its outermost corner.
 double leastWidth(const std::vector<LevelLoop>& loops);
 
 /// Whether edges come nearer to each other than this, mm, but for those that follow each other.
 bool hasThinPlaces(const std::vector<LevelLoop>& loops, double width);
 
-/// Without material, and without gaps, that are thinner than `width` mm. What is thicker stays, but for
-/// corners that are sharp: those are blunt, as wide as that.
+/// The section without material and gaps that are thinner than `width` mm. What is thicker stays, except that
+/// sharp corners become blunt, as wide as that.
 std::vector<PathRegion> withoutThinPlaces(const std::vector<PathRegion>& regions, double width);
 
 }  // namespace proveout::wire_detail

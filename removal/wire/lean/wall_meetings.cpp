@@ -18,9 +18,9 @@
 namespace proveout {
 namespace {
 
-/// Triangles that follow each other, compared at once.
+/// How many consecutive triangles are compared at once.
 constexpr std::size_t kStrip = 16;
-/// Pairs of strips that are one task.
+/// How many pairs of strips make one task.
 constexpr std::size_t kPairsATask = 256;
 
 using Pairs = std::vector<std::array<std::uint32_t, 2>>;

@@ -1,4 +1,4 @@
-// Triangles of a wire's mesh that run through each other.
+// Self-intersections: triangles of a wire's mesh that run through each other.
 #pragma once
 
 #include <array>

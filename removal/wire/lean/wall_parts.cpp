@@ -19,7 +19,7 @@ constexpr double kSlide = 0.25;
 constexpr double kShareOfParabola = 0.25;
 /// Parts of so few edges are halved as they are: a section a quarter up costs more than their triangles.
 constexpr std::uint32_t kSmallPart = 16;
-/// Parts of a rung, at most: walls that want more are halved.
+/// Most parts of one rung: walls that need more are halved.
 constexpr std::uint32_t kMostRows = 256;
 
 /// Points that follow each other; of whole loops the last is followed by the first.
@@ -163,7 +163,7 @@ class WallJudge {
     return std::move(out_);
   }
 
-  /// Settles it all, if it is.
+  /// Settles the whole wall if its triangles are true.
   bool isStraight() {
     look();
     if (any(off_rungs_) || any(off_points_)) return false;

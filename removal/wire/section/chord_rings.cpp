@@ -9,9 +9,9 @@
 namespace proveout {
 namespace {
 
-/// Halvings of a chord, at most.
+/// A chord is halved at most so many times.
 constexpr int kMostRounds = 20;
-/// Chords of fewer steps of a mesh are not halved; corners stand back by so many.
+/// Chords shorter than so many steps of a mesh are not halved; corners stand back by as many.
 constexpr double kShortest = 8.0, kStandBack = 2.0;
 
 ChordRing ringOf(const PlaneLoop& loop, double tolerance) {
@@ -26,7 +26,7 @@ ChordRing ringOf(const PlaneLoop& loop, double tolerance) {
   return ring;
 }
 
-/// Parts rings that meet.
+/// Separates rings that meet.
 class RingParter {
  public:
   explicit RingParter(std::vector<ChordRing>& rings) : rings_(rings) {}
@@ -40,8 +40,8 @@ class RingParter {
       halved_.assign(segments_.size(), false);
       moved_.assign(segments_.size(), false);
       for (const auto& [a, b] : pairs) {
-        mend(a, b);
-        mend(b, a);
+        repair(a, b);
+        repair(b, a);
       }
       if (!apply()) return;
     }
@@ -68,7 +68,7 @@ class RingParter {
     }
   }
 
-  void mend(std::uint32_t edge, std::uint32_t other) {
+  void repair(std::uint32_t edge, std::uint32_t other) {
     const PlaneSegment &s = segments_[edge], &t = segments_[other];
     const double step = meshStep(s.from);
     if (rings_[places_[edge].ring].center[places_[edge].at] && (s.to - s.from).norm() > kShortest * step)
@@ -79,7 +79,7 @@ class RingParter {
       moved_[s.end] = true;
   }
 
-  /// Away from what it touches: to where both neighbours are.
+  /// Moves a corner away from what it touches, towards both neighbours.
   Vec2 stoodBack(const ChordRing& ring, std::size_t i) const {
     const std::size_t n = ring.points.size();
     const Vec2& p = ring.points[i];
@@ -93,7 +93,7 @@ class RingParter {
     return asFloat(center + (u + v).normalized() * (0.5 * (u.norm() + v.norm())));
   }
 
-  /// False: nothing is left to be done.
+  /// False if there is nothing left to do.
   bool apply() {
     bool changed = false;
     std::vector<ChordRing> out(rings_.size());

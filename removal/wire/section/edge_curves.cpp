@@ -10,7 +10,8 @@
 namespace proveout::wire_detail {
 namespace {
 
-/// An edge lies off its curve by its chord and rounding, mm; looked for somewhat farther.
+/// An edge deviates from its curve by its chord height and by rounding; the search reaches somewhat farther,
+/// mm.
 constexpr double kReach = 3e-4;
 /// Corners that rounding or chords have moved are put back by no more than a part of the edges beside them,
 /// mm.

@@ -10,9 +10,9 @@
 namespace proveout::wire_detail {
 namespace {
 
-/// Ends nearer to each other are one, mm.
+/// Ends nearer to each other than this count as the same point, mm.
 constexpr double kJoined = 1e-7;
-/// Turns by less are none, radians.
+/// Smaller turns count as straight on, radians.
 constexpr double kStraight = 1e-12;
 /// Inner corners that turn by more go by way of the corner itself.
 constexpr double kSharpTurn = 0.5;

@@ -17,7 +17,7 @@ using ClipperLib::Clipper;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-/// Edges whose curves are looked for by one task.
+/// One task finds the curves of so many edges.
 constexpr std::size_t kEdgesATask = 512;
 
 /// Short runs of stretches that follow each other.
@@ -69,7 +69,7 @@ PlaneLoop loopOf(const Path& path, const CurveFinder& finder) {
   return curvedLoop(points, curves);
 }
 
-/// The largest first; of equals that farther left and below.
+/// The largest first; of equal ones the one farther left and lower.
 bool comesFirst(const PlaneBody& a, const PlaneBody& b) {
   if (a.area_mm2 != b.area_mm2) return a.area_mm2 > b.area_mm2;
   const Vec2 &p = a.loops.front().edges.front().from, &q = b.loops.front().edges.front().from;

@@ -1,5 +1,5 @@
-// What lies near what, among things of which those with following numbers lie close together: a tree over
-// them in their order, without sorting.
+// Finds pairs of objects whose boxes overlap, where objects with consecutive numbers lie close together: a
+// tree over them in their order, without sorting.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace proveout {
 
 class OrderTree {
  public:
-  /// Takes the boxes of the things.
+  /// Takes the boxes of the objects.
   explicit OrderTree(std::vector<Box3> things) {
     levels_.push_back(std::move(things));
     while (levels_.back().size() > 1) {
@@ -23,7 +23,7 @@ class OrderTree {
     }
   }
 
-  /// Calls visit(i, k), i not above k, for each thing with itself and each two whose boxes overlap.
+  /// Calls visit(i, k), i <= k, for each object with itself and for each pair whose boxes overlap.
   template <typename Visit>
   void eachPair(const Visit& visit) const {
     if (!levels_.front().empty()) compare(levels_.size() - 1, 0, 0, visit);
@@ -49,7 +49,7 @@ class OrderTree {
     }
   }
 
-  std::vector<std::vector<Box3>> levels_;  ///< of things; of groups of the level below; ...; one at the top
+  std::vector<std::vector<Box3>> levels_;  ///< of objects; of groups of the level below; ...; one at the top
 };
 
 }  // namespace proveout

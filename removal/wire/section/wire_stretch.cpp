@@ -10,7 +10,7 @@
 namespace proveout {
 namespace {
 
-/// Radii of an arc's ends that differ by no more are one, mm.
+/// Radii at the ends of an arc that differ by no more than this count as equal, mm.
 constexpr double kSameRadius = 1e-6;
 /// How far circles may leave an arc whose radius changes, mm.
 constexpr double kSpiralTolerance = 1e-5;

@@ -38,8 +38,8 @@ WireStretch beginningOf(const WireStretch& stretch, double part);
 
 /// How far a list of stretches is cut.
 struct CutTime {
-  std::uint32_t cuts = 0;  ///< so many are cut
-  double share = 0.0;      ///< and so much of the next one, 0 <= share < 1
+  std::uint32_t cuts = 0;  ///< how many of them are cut whole
+  double share = 0.0;      ///< and how much of the next one, 0 <= share < 1
 
   auto operator<=>(const CutTime&) const = default;
   /// The stretch that is cut last. Requires that something is cut.
@@ -48,7 +48,7 @@ struct CutTime {
 /// What is cut until then.
 std::vector<WireStretch> cutUntil(const std::vector<WireStretch>& cuts, const CutTime& time);
 
-/// What is looked for along stretches is found to this, mm of way.
+/// Accuracy of what is searched for along stretches, mm of way.
 inline constexpr double kWayMm = 1e-6;
 /// The time between two at which `done` turns from false to true, to about kWayMm: it is true then. Requires
 /// done(later) and earlier < later.
@@ -56,7 +56,7 @@ template <typename Done>
 CutTime firstTime(const std::vector<WireStretch>& cuts, const CutTime& earlier, const CutTime& later,
                   const Done& done);
 
-/// What of a stretch is nearest to a point.
+/// The part of a stretch that is nearest to a point.
 enum class StretchPart : std::uint8_t { kFrom, kMiddle, kTo };
 struct StretchDistance {
   double mm = 0.0;
