@@ -11,7 +11,7 @@
 #include "app/session/forecast/run_limits.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 namespace {

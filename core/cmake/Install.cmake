@@ -31,7 +31,7 @@ foreach(header
     core/nc/control/control_settings core/nc/control/program_source core/nc/control/run_summary
     core/nc/registry/coverage core/nc/registry/interpreter core/nc/text/template_set core/nc/text/template_text
     removal/grid/start_hole removal/grid/stock removal/grid/stock_shape removal/grid/vdb_tree removal/vdb/vdb_grids
-    removal/turning/section removal/turning/turned_stock
+    removal/turning/section/section removal/turning/turned_stock
     removal/wire/falls/body_exit removal/wire/falls/wire_holding removal/wire/lean/lean_solid
     removal/wire/lean/lean_stretch removal/wire/lean/level_section removal/wire/section/plane_region
     removal/wire/section/prism_blank removal/wire/section/wire_stretch removal/wire/wire_stock

@@ -11,8 +11,8 @@
 #include "core/tool/tool_type.h"
 #include "removal/grid/placed_field.h"
 #include "removal/sweep/sweep.h"
-#include "removal/turning/section.h"
-#include "removal/turning/section_field.h"
+#include "removal/turning/section/section.h"
+#include "removal/turning/section/section_field.h"
 #include "removal/turning/turned_field.h"
 
 namespace proveout {

@@ -11,7 +11,7 @@
 #include "core/path/toolpath.h"
 #include "removal/compare/exact_part.h"
 #include "removal/grid/stock_shape.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

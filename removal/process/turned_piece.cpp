@@ -6,7 +6,7 @@
 #include "core/base/stopwatch.h"
 #include "removal/process/turned_part.h"
 #include "removal/process/wire_grid_piece.h"
-#include "removal/turning/revolve.h"
+#include "removal/turning/section/revolve.h"
 #include "removal/turning/threads/thread_mesh.h"
 #include "removal/turning/turned_field.h"
 

@@ -17,7 +17,7 @@
 #include "removal/grid/stock.h"
 #include "removal/process/part_form.h"
 #include "removal/process/stock_body.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

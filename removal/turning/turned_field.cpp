@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "removal/grid/edge_root.h"
-#include "removal/turning/section_field.h"
+#include "removal/turning/section/section_field.h"
 #include "removal/turning/threads/thread_field.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 
 #include "removal/grid/blank_field.h"
 #include "removal/grid/stock_shape.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

@@ -15,13 +15,14 @@
 #include "core/tool/tool.h"
 #include "removal/grid/stock.h"
 #include "removal/grid/stock_shape.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 
 /// Names what of a motion cannot be turned: a way out of the plane, a tilted axis. Null: nothing.
 const char* turningObstacle(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis);
-/// Error: a motion that cannot be turned, also for a thread of turns beyond number or a tool that is not defined.
+/// Error: a motion that cannot be turned, also for a thread of turns beyond number or a tool that is not
+/// defined.
 Status turnable(const Toolpath& path, const std::vector<Tool>& tools);
 
 class TurnedStock {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/tool/tool.h"
-#include "removal/turning/sweep_paths.h"
+#include "removal/turning/section/sweep_paths.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 
 #include "app/job_setup.h"
 #include "app/session/session.h"
-#include "removal/turning/revolve.h"
+#include "removal/turning/section/revolve.h"
 #include "removal/turning/threads/thread_mesh.h"
 #include "removal/turning/turned_stock.h"
 #include "tests/support/worm.h"

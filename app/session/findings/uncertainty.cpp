@@ -6,7 +6,7 @@
 #include <set>
 
 #include "core/geometry/plane.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 
 #include "core/tool/convex_outline.h"
 #include "core/tool/tool_table.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

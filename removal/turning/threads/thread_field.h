@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 #include "removal/turning/threads/thread_outline.h"
 
 namespace proveout {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 namespace proveout {
 

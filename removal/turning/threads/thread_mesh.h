@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/mesh/tri_mesh.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "removal/turning/sweep_paths.h"
+#include "removal/turning/section/sweep_paths.h"
 
 namespace proveout {
 

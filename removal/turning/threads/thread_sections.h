@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/assert.h"
 #include "core/geometry/ears.h"
-#include "removal/turning/revolve.h"
+#include "removal/turning/section/revolve.h"
 #include "removal/turning/threads/thread_group.h"
 
 namespace proveout::thread_detail {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 namespace proveout::thread_detail {
 

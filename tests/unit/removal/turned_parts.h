@@ -9,7 +9,7 @@
 
 #include "core/mesh/intersections.h"
 #include "removal/grid/stock.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 #include "removal/turning/threads/thread_mesh.h"
 #include "removal/turning/turned_field.h"
 

@@ -6,8 +6,8 @@
 #include <random>
 
 #include "removal/exact/swept_part.h"
-#include "removal/turning/revolve.h"
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/revolve.h"
+#include "removal/turning/section/section_area.h"
 #include "tests/unit/turning/turning_fixture.h"
 
 namespace proveout {

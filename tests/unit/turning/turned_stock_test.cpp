@@ -7,8 +7,8 @@
 #include <functional>
 #include <random>
 
-#include "removal/turning/revolve.h"
-#include "removal/turning/sweep_paths.h"
+#include "removal/turning/section/revolve.h"
+#include "removal/turning/section/sweep_paths.h"
 #include "tests/unit/turning/turning_fixture.h"
 
 namespace proveout {

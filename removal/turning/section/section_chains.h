@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "removal/turning/section_loops.h"
+#include "removal/turning/section/section_loops.h"
 
 namespace proveout::section_detail {
 

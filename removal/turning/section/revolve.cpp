@@ -1,4 +1,4 @@
-#include "removal/turning/revolve.h"
+#include "removal/turning/section/revolve.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "removal/turning/section_chains.h"
+#include "removal/turning/section/section_chains.h"
 
 namespace proveout::section_detail {
 

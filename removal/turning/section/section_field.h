@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

@@ -1,4 +1,4 @@
-#include "removal/turning/sweep_paths.h"
+#include "removal/turning/section/sweep_paths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "removal/turning/section_field.h"
+#include "removal/turning/section/section_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mesh/tri_mesh.h"
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // Sections are changed in windows: a pass costs what it touches, not the whole profile.
-#include "removal/turning/section_window.h"
+#include "removal/turning/section/section_window.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "removal/turning/section.h"
+#include "removal/turning/section/section.h"
 
 namespace proveout {
 

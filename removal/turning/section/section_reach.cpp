@@ -1,4 +1,4 @@
-#include "removal/turning/section_reach.h"
+#include "removal/turning/section/section_reach.h"
 
 #include <algorithm>
 #include <limits>

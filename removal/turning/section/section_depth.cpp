@@ -1,4 +1,4 @@
-#include "removal/turning/section_depth.h"
+#include "removal/turning/section/section_depth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/tool/convex_outline.h"
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 namespace proveout {
 

@@ -1,4 +1,4 @@
-#include "removal/turning/section_chains.h"
+#include "removal/turning/section/section_chains.h"
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "removal/turning/section_loops.h"
+#include "removal/turning/section/section_loops.h"
 
 namespace proveout::section_detail {
 

@@ -1,13 +1,13 @@
-#include "removal/turning/section_area.h"
+#include "removal/turning/section/section_area.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/assert.h"
-#include "removal/turning/section_labels.h"
-#include "removal/turning/section_reach.h"
-#include "removal/turning/section_window.h"
+#include "removal/turning/section/section_labels.h"
+#include "removal/turning/section/section_reach.h"
+#include "removal/turning/section/section_window.h"
 
 namespace proveout {
 
