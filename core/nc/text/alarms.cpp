@@ -23,8 +23,20 @@ std::string withDetail(std::string what, std::string_view detail) {
   return what;
 }
 
-AlarmTable::AlarmTable(std::initializer_list<Row> rows) : rows_(kSharedAlarms) {
-  for (const Row& row : rows) rows_[static_cast<std::size_t>(row.alarm)] = row;
+AlarmTable::AlarmTable(std::string_view control, std::initializer_list<Row> rows)
+    : control_(control), rows_(kSharedAlarms), codes_(kSharedAlarms) {
+  for (const Row& row : rows) {
+    const auto at = static_cast<std::size_t>(row.alarm);
+    rows_[at] = row;
+    codes_[at] = row.number != 0 ? code(row.number) : control_ + "-" + std::string(row.name);
+  }
+}
+
+std::string AlarmTable::code(int number) const { return control_ + "-" + std::to_string(number); }
+
+std::string AlarmTable::code(const DiagnosticName& name) const {
+  if (name.alarm() != SharedAlarm::kCount) return code(name.alarm());
+  return control_ + "-" + std::string(name.name());
 }
 
 std::string AlarmTable::message(SharedAlarm alarm, std::string_view subject, std::string_view detail) const {

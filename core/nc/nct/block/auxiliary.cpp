@@ -24,12 +24,11 @@ bool checkAuxiliary(NctContext& c) {
     const Address address = auxiliaryAddress(c.parameters, k);
     if (address == 0) continue;
     if (!kAuxiliaryAddresses.has(address)) {
-      return c.fail("nct-parameter",
-                    fmt::format("N{}: auxiliary functions are at A, B, C, U, V or W", 1333 + k));
+      return c.fail("parameter", fmt::format("N{}: auxiliary functions are at A, B, C, U, V or W", 1333 + k));
     }
     if (c.axes.find(addressText(address)) >= 0) {
-      return c.fail("nct-parameter", fmt::format("N{}: {} is an axis and cannot be an auxiliary function",
-                                                 1333 + k, addressText(address)));
+      return c.fail("parameter", fmt::format("N{}: {} is an axis and cannot be an auxiliary function",
+                                             1333 + k, addressText(address)));
     }
   }
   return true;
@@ -44,7 +43,8 @@ bool takeAuxiliary(NctContext& c, BlockPlan& plan) {
     constexpr double kMost = 99999999;
     const double value = w->from_expression ? std::round(w->value) : w->value;
     if (value != std::round(value) || std::abs(value) > kMost || w->incremental) {
-      return c.alarm(2002, *w, "an auxiliary function is a whole number of up to 8 digits");
+      return c.alarm(SharedAlarm::kOutOfRange, *w,
+                     "an auxiliary function is a whole number of up to 8 digits");
     }
     plan.next.last.auxiliary[static_cast<std::size_t>(k)] = value;
     plan.auxiliary.set(static_cast<std::size_t>(k));

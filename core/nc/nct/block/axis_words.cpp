@@ -32,7 +32,7 @@ bool checkRotary(NctContext& c, const BlockPlan& plan, int axis, const Word& w, 
     const std::string key = "told only " + info.name;
     if (travel != 0.0 && c.firstTime(key)) {
       c.warn(
-          "nct-rotary-told",
+          "rotary-told",
           fmt::format("axis {} turns nothing that the job describes: its position is told, the path does not "
                       "follow it",
                       info.name),
@@ -41,7 +41,8 @@ bool checkRotary(NctContext& c, const BlockPlan& plan, int axis, const Word& w, 
     return true;
   }
   if (std::abs(travel) <= kMaxTravelDeg) return true;
-  return c.alarm(2002, w, "more than 100 turns of a table in one block are not simulated");
+  return c.alarm(SharedAlarm::kOutOfRange, w,
+                 "more than 100 turns of a table in one block are not simulated");
 }
 
 PolarData polarBase(const BlockPlan& plan, double u, double v) {
@@ -64,7 +65,7 @@ bool polarTarget(NctContext& c, BlockPlan& plan, const PolarWord& radius, const 
   const AxisModal& modal = plan.next.axes;
   const int u = modal.plane_u, v = modal.plane_v;
   if (modal.mode == VirtualMode::kOff && (c.axes.at(u).rotary() || c.axes.at(v).rotary())) {
-    return c.alarm(2088, "", "G16 needs a plane of linear axes");
+    return c.alarm(SharedAlarm::kPlane, "", "G16 needs a plane of linear axes");
   }
   PolarData next = polarBase(plan, plan.start[u], plan.start[v]);
   const double old_angle = next.angle_deg;
@@ -77,7 +78,7 @@ bool polarTarget(NctContext& c, BlockPlan& plan, const PolarWord& radius, const 
       pole_v = plan.start[v];
     }
     if (modal.diameter[static_cast<std::size_t>(u)] && c.firstTime("polar diameter")) {
-      c.warn("nct-polar-diameter", "G16: the radius word is a diameter, as the words of its axis are",
+      c.warn("polar-diameter", "G16: the radius word is a diameter, as the words of its axis are",
              radius.word->columns);
     }
   }
@@ -113,7 +114,8 @@ bool axisTarget(NctContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     const auto axis = static_cast<std::size_t>(word.axis);
-    if (plan.motion.named[axis]) return c.alarm(2017, w, "the axis is given twice in this block");
+    if (plan.motion.named[axis])
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "the axis is given twice in this block");
     plan.motion.named.set(axis);
     if (polar && (word.axis == modal.plane_u || word.axis == modal.plane_v)) {
       (word.axis == modal.plane_u ? radius : angle) = {&w, word};

@@ -56,14 +56,14 @@ bool acceptG(NctContext& c, BlockPlan& plan, const Word& w) {
     }
     if (slot != nullptr) {
       return c.failWord(
-          "nct-group-clash",
+          "group-clash",
           fmt::format("{} and {} cannot stand in one block", gName(slot->code10), gName(code10)), w);
     }
   } else if (slot != nullptr) {
     const auto same = slot == code
                           ? fmt::format("{} twice in one block", gName(code10))
                           : fmt::format("{} and {} are of one group", gName(slot->code10), gName(code10));
-    return c.failWord("nct-group-clash", same, w);
+    return c.failWord("group-clash", same, w);
   }
   slot = code;
   plan.any_group = true;
@@ -76,12 +76,15 @@ bool refuseG(NctContext& c, const Word& w, const GCode* code) {
   const std::string name =
       std::string(c.block.text.substr(static_cast<std::size_t>(w.columns.begin - 1),
                                       static_cast<std::size_t>(w.columns.end - w.columns.begin)));
-  if (code == nullptr) return c.alarm(2123, name + " is not a code of this control", {}, w.columns);
+  if (code == nullptr)
+    return c.alarm(SharedAlarm::kNotImplemented, name + " is not a code of this control", {}, w.columns);
   if (c.settings.lenient && code->skippable) {
-    c.warn("nct-2123", fmt::format("{} ({}) is not supported and left out", name, code->meaning), w.columns);
+    c.warn(SharedAlarm::kNotImplemented,
+           fmt::format("{} ({}) is not supported and left out", name, code->meaning), w.columns);
     return true;
   }
-  return c.alarm(2123, fmt::format("{} ({}) is not supported", name, code->meaning), {}, w.columns);
+  return c.alarm(SharedAlarm::kNotImplemented, fmt::format("{} ({}) is not supported", name, code->meaning),
+                 {}, w.columns);
 }
 
 /// The words of a code belong to another code of the block already. Always false.
@@ -89,7 +92,8 @@ bool sharedWord(NctContext& c, const BlockPlan& plan, AddressSet words, const st
   const AddressSet shared = plan.claimed & words & c.block.present;
   const auto word = std::find_if(c.block.words.begin(), c.block.words.end(),
                                  [&](const Word& w) { return shared.has(w.address); });
-  return c.alarm(2017, *word, fmt::format("it would belong to {} and to another code", code));
+  return c.alarm(SharedAlarm::kIllegalAddress, *word,
+                 fmt::format("it would belong to {} and to another code", code));
 }
 
 /// Whether the code may stand beside those of the block so far. False: reported.
@@ -102,7 +106,7 @@ bool goesTogether(NctContext& c, const BlockPlan& plan, const Word& w, int numbe
     const bool both = (exclusive > 0 && exclusive == other.exclusive(programmed)) ||
                       (found.group > 0 && found.group == other.group);
     if (!both && plan.m_value[k] != number) continue;
-    return c.failWord("nct-contradictory-m",
+    return c.failWord("contradictory-m",
                       fmt::format("contradictory M codes: M{} and M{}", plan.m_value[k], number), w);
   }
   return true;
@@ -123,7 +127,7 @@ bool takeOwnM(NctContext& c, BlockPlan& plan, const MCode& code) {
 bool takeM(NctContext& c, BlockPlan& plan, const Word& w) {
   std::int64_t value = 0;
   if (!integerWord(c, w, 0, 99999999, value)) return false;
-  if (plan.m_count == 8) return c.failWord("nct-m-count", "more than 8 M functions in one block", w);
+  if (plan.m_count == 8) return c.failWord("m-count", "more than 8 M functions in one block", w);
   const auto number = static_cast<int>(value);
   const MFunction& found = c.m_index.find(number);
   if (found.waits) return planWait(c, plan, w);
@@ -133,7 +137,7 @@ bool takeM(NctContext& c, BlockPlan& plan, const Word& w) {
                      found.ofSpindle(c.registers.spindles.programmed);
   if (found.own == nullptr && !known) {
     c.warnOnce(
-        fmt::format("M{}", number), "nct-m-function",
+        fmt::format("M{}", number), "m-function",
         fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", number),
         w.columns);
   }
@@ -158,8 +162,8 @@ bool planModal(NctContext& c, BlockPlan& plan) {
   const GCode* motion = plan.by_group[kGroupMotion];
   const GCode* cycle = plan.by_group[kGroupCycle];
   if (motion && cycle && cycle->code10 != gcode::kCycleCancel) {
-    return c.fail("nct-group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->code10),
-                                                 gName(cycle->code10)));
+    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->code10),
+                                             gName(cycle->code10)));
   }
   for (std::size_t g = 1; plan.any_group && g < plan.by_group.size(); ++g) {
     const GCode* code = plan.by_group[g];
@@ -176,7 +180,7 @@ bool planModal(NctContext& c, BlockPlan& plan) {
     next.axes.polar.known = false;
   if (plan.by_group[kGroupUnits] && next.active[kGroupUnits] != c.state.active[kGroupUnits] &&
       c.state.feed > 0.0 && !c.block.present.has('F')) {
-    c.warn("nct-feed-unit", "the unit changes: the modal feed keeps its number and takes the new unit");
+    c.warn("feed-unit", "the unit changes: the modal feed keeps its number and takes the new unit");
   }
   // A group-1 code ends the cycle mode; ending it restores G98 (manual 18.1.4).
   if (motion) next.active[kGroupCycle] = gcode::kCycleCancel;
@@ -193,8 +197,8 @@ bool takeAxisWords(NctContext& c, BlockPlan& plan, const GCode& code) {
   const GCode* one_shot = plan.by_group[kOneShot];
   const GCode* other = plan.governor ? plan.governor : one_shot && one_shot->plan ? one_shot : nullptr;
   if (other != nullptr) {
-    return c.fail("nct-group-clash", fmt::format("{} and {} cannot stand in one block", gName(other->code10),
-                                                 gName(code.code10)));
+    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(other->code10),
+                                             gName(code.code10)));
   }
   plan.governor = &code;
   return true;
@@ -216,8 +220,8 @@ bool planNumbers(NctContext& c, BlockPlan& plan) {
   // The lead of a thread is not the feed of other blocks.
   const bool thread = plan.next.active[kGroupMotion] == gcode::kThread && !plan.next.inCycle();
   if (const Word* f = c.word('F'); f && !thread) {
-    if (f->value <= 0.0) return c.failWord("nct-feed", "F must be greater than 0", *f);
-    if (f->value < kMinFeed) return c.alarm(2002, *f, "at least 0.000001");
+    if (f->value <= 0.0) return c.failWord("feed", "F must be greater than 0", *f);
+    if (f->value < kMinFeed) return c.alarm(SharedAlarm::kOutOfRange, *f, "at least 0.000001");
     plan.next.feed = f->value;
   }
   const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
@@ -250,7 +254,7 @@ bool planOffsetsHD(NctContext& c, BlockPlan& plan) {
     row = static_cast<int>(number);
     if (row == 0 || table.given(column, row)) return true;
     const auto name = fmt::format("{}{}", addressText(w.address), row);
-    c.warnOnce(name, "nct-offset-missing",
+    c.warnOnce(name, "offset-missing",
                fmt::format("{0} has no value in the offset table: 0 is taken (--offset {0}=VALUE)", name),
                w.columns);
     return true;
@@ -280,7 +284,7 @@ void warnOfMissingOffset(NctContext& c, WorkSystemId id) {
   const std::string name = workSystemName(id);
   std::string option = name;
   std::erase(option, ' ');  // one word on a command line
-  c.warnOnce(name, "nct-offset-missing",
+  c.warnOnce(name, "offset-missing",
              fmt::format("{} has no value in the job: 0 is taken (--offset {}=X,Y,Z)", name, option));
 }
 
@@ -290,7 +294,7 @@ bool planWorkSystem(NctContext& c, BlockPlan& plan) {
   if (code->code10 == gcode::kExtendedWorkSystem) {
     const Word* p = c.word('P');
     std::int64_t number = 0;
-    if (p == nullptr) return c.alarm(2004, "P", "G54.1 needs P1 to P99");
+    if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.1 needs P1 to P99");
     if (!integerWord(c, *p, 1, 99, number)) return false;
     plan.next.work_system = kFirstExtended + static_cast<int>(number) - 1;
     plan.next.last.extended_system = static_cast<int>(number);
@@ -307,7 +311,7 @@ bool planLength(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
   if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
-    return c.alarm(2188, code ? gName(code->code10) : "H");
+    return c.alarm(SharedAlarm::kInSmoothing, code ? gName(code->code10) : "H");
   }
   if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
@@ -347,27 +351,28 @@ bool planComp(NctContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupRadiusComp];
   const bool was_on = c.state.compOn();
   if (was_on && !(plan.next.workPlane() == c.state.workPlane())) {
-    return c.fail("nct-plane-in-comp", "the plane cannot change while cutter compensation (G41, G42) is on");
+    return c.fail("plane-in-comp", "the plane cannot change while cutter compensation (G41, G42) is on");
   }
   if (plan.next.compOn() && plan.next.inCycle()) {
-    return c.fail("nct-cycle-in-comp",
+    return c.fail("cycle-in-comp",
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }
   const GCode* one_shot = plan.by_group[kOneShot];
   if (one_shot && one_shot->code10 == gcode::kKeepVector && !(was_on && plan.next.compOn())) {
-    return c.fail("nct-cutter-comp", "G38 and G39 need G41 or G42");
+    return c.fail("cutter-comp", "G38 and G39 need G41 or G42");
   }
   if (code == nullptr) return true;
-  if (plan.next.compOn() && !planeOfLines(c, plan, 2088, "G41 and G42 need linear axes")) return false;
+  if (plan.next.compOn() && !planeOfLines(c, plan, SharedAlarm::kPlane, "G41 and G42 need linear axes"))
+    return false;
   const int motion = plan.next.active[kGroupMotion];
   if (motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise) {
-    if (!plan.next.compOn() && was_on) return c.alarm(2043, "");
+    if (!plan.next.compOn() && was_on) return c.alarm(SharedAlarm::kCompEndInArc, "");
     if (plan.next.compOn() && !was_on)
-      return c.fail("nct-comp-start-arc", "G41, G42 cannot be switched on in a G2 or G3 block");
+      return c.fail("comp-start-arc", "G41, G42 cannot be switched on in a G2 or G3 block");
     return true;
   }
   if (plan.next.compOn() && plan.next.d == 0 && !c.block.present.has('D') && c.state.d == 0) {
-    c.warn("nct-no-d", "no D is programmed: cutter compensation runs with radius 0");
+    c.warn("no-d", "no D is programmed: cutter compensation runs with radius 0");
   }
   const PlaneFrame frame(plan.next.plane());
   Vec3 vector = Vec3::Zero();
@@ -413,16 +418,17 @@ bool checkWords(NctContext& c, const BlockPlan& plan) {
     for (const Word& w : c.block.words) {
       if (legal.has(w.address)) continue;
       if (AddressSet("ABC").has(w.address) && w.axis < 0) {
-        return c.failWord(
-            "nct-2035", fmt::format("wrong axis data: axis {} is not configured", addressText(w.address)), w);
+        return c.failWord(SharedAlarm::kAxis,
+                          fmt::format("wrong axis data: axis {} is not configured", addressText(w.address)),
+                          w);
       }
-      return c.failWord("nct-2017", fmt::format("illegal address {} in this block", addressText(w.address)),
-                        w);
+      return c.failWord(SharedAlarm::kIllegalAddress,
+                        fmt::format("illegal address {} in this block", addressText(w.address)), w);
     }
   }
   const bool call = plan.flow && plan.flow->code == mcode::kCall;
   if (c.block.has_file && !call)
-    return c.alarm(2017, "<>", "a file name belongs to M98", c.block.file_columns);
+    return c.alarm(SharedAlarm::kIllegalAddress, "<>", "a file name belongs to M98", c.block.file_columns);
   tellUnusedWords(c, plan, kCommonWords);
   return true;
 }

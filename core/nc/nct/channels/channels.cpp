@@ -57,7 +57,7 @@ NctChannels::NctChannels(const std::vector<ChannelProgram>& channels, MotionSink
 
 bool NctChannels::fail(const std::string& message) {
   ++total_.errors;
-  sink_.diagnostic({Severity::kError, "nct-channel", message, {}, {}, {}});
+  sink_.diagnostic({Severity::kError, nctAlarms().code("channel"), message, {}, {}, {}});
   return false;
 }
 
@@ -241,7 +241,7 @@ bool NctChannels::deadlock() {
     std::string message = "deadlock of waiting codes: ";
     for (const Channel& other : channels_)
       message += (&other == &channels_.front() ? "" : "; ") + whereOf(other);
-    c.fail("nct-deadlock", message);
+    c.fail("deadlock", message);
     stopped_by_ = &channel;
     return true;
   }

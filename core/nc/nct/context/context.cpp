@@ -29,7 +29,7 @@ NctContext::NctContext(const ProgramSource& source, const ControlSettings& contr
       macro(variables, environment, nctAlarms()),
       origins(sink),
       m_index(codes, control_settings),
-      alarms(calls, programs, block, variables, emitter),
+      alarms(nctAlarms(), calls, programs, block, variables, emitter),
       work(control_settings, progress, calls, alarms, run_summary),
       host(control_host),
       clock(emitter.time(), stages.rapid),
@@ -74,7 +74,7 @@ void NctContext::recover() {
 
 bool NctContext::openCall(const CallFrame& frame) {
   if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
-    return fail("nct-nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+    return fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
   }
   origins.openCall();
   calls.push(frame);
@@ -109,12 +109,12 @@ bool WorkGuard::over() {
   const double done = static_cast<double>(main.line) / static_cast<double>(main.text->lines().size());
   const BlockWatch::Over over = blocks_.count({done, calls_.depth(), calls_.lineIndex()}, kFreeMotions);
   if (over == BlockWatch::Over::kLimit)
-    alarms_.fail("nct-block-limit", blocks_.message(", chords of curves included"));
+    alarms_.fail("block-limit", blocks_.message(", chords of curves included"));
   return over != BlockWatch::Over::kNo;
 }
 
 bool WorkGuard::endless(const std::string& message) {
-  alarms_.fail("nct-endless-loop", message);
+  alarms_.fail("endless-loop", message);
   summary_.end = ProgramEnd::kBlockLimit;
   return true;
 }

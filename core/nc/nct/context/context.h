@@ -115,25 +115,27 @@ class WorkGuard {
 template <class Context>
 class AlarmCalls {
  public:
-  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
-    return reporter().alarm(number, subject, detail, at);
+  bool alarm(SharedAlarm what, std::string_view subject, std::string_view detail = {}, Columns at = {}) {
+    return reporter().alarm(what, subject, detail, at);
   }
-  bool alarm(int number, const Word& at, std::string_view detail = {}) {
-    return reporter().alarm(number, at, detail);
+  bool alarm(SharedAlarm what, const Word& at, std::string_view detail = {}) {
+    return reporter().alarm(what, at, detail);
   }
-  bool fail(std::string code, std::string message, Columns at = {}) {
-    return reporter().fail(std::move(code), std::move(message), at);
+  bool fail(const DiagnosticName& name, std::string message, Columns at = {}) {
+    return reporter().fail(name, std::move(message), at);
   }
-  bool failWord(std::string code, std::string message, const Word& at) {
-    return reporter().fail(std::move(code), std::move(message), at.columns);
+  bool fail(const LexError& error) { return reporter().fail(error); }
+  bool failWord(const DiagnosticName& name, std::string message, const Word& at) {
+    return reporter().fail(name, std::move(message), at.columns);
   }
-  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning) {
-    reporter().warn(std::move(code), std::move(message), at, severity);
+  void warn(const DiagnosticName& name, std::string message, Columns at = {},
+            Severity severity = Severity::kWarning) {
+    reporter().warn(name, std::move(message), at, severity);
   }
   bool firstTime(std::string_view key) { return reporter().firstTime(key); }
   /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
-  void warnOnce(std::string_view key, std::string code, std::string message, Columns at = {}) {
-    if (firstTime(key)) warn(std::move(code), std::move(message), at);
+  void warnOnce(std::string_view key, const DiagnosticName& name, std::string message, Columns at = {}) {
+    if (firstTime(key)) warn(name, std::move(message), at);
   }
 
  private:

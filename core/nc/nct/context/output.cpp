@@ -28,7 +28,7 @@ ProgramOutput& target(NctContext& c) { return c.host.output ? *c.host.output : c
 
 /// What the host answered; its errors end the run.
 bool accepted(NctContext& c, const Status& status) {
-  return status.ok() || c.fail("nct-output", status.error().message);
+  return status.ok() || c.fail("output", status.error().message);
 }
 
 /// A number from `i` on: digits, a variable or a bracket.
@@ -42,11 +42,11 @@ bool integerAt(NctContext& c, std::size_t& i, int& out) {
   } else if (at(text, i) == '#' || at(text, i) == '[') {
     Value value;
     LexError error;
-    if (!c.macro.evaluate(text, i, value, error)) return c.fail(error.code, error.message, error.columns);
+    if (!c.macro.evaluate(text, i, value, error)) return c.fail(error);
     number = value.vacant ? -1.0 : std::round(value.number);
   }
   if (!(number >= 0.0 && number <= 99999999.0)) {
-    return c.alarm(2064, {}, "a number is expected", columnsAt(begin));
+    return c.alarm(SharedAlarm::kSyntax, {}, "a number is expected", columnsAt(begin));
   }
   out = static_cast<int>(number);
   return true;
@@ -56,7 +56,7 @@ bool nothingBehind(NctContext& c, std::size_t i) {
   const std::string_view text = c.block.text;
   i = skipBlanks(text, i);
   return i >= text.size() || text[i] == '(' ||
-         c.alarm(2064, {}, "nothing may follow the statement",
+         c.alarm(SharedAlarm::kSyntax, {}, "nothing may follow the statement",
                  {static_cast<int>(i) + 1, static_cast<int>(text.size()) + 1});
 }
 
@@ -88,14 +88,15 @@ bool closeFile(NctContext& c) {
 }
 
 bool mayOpen(NctContext& c) {
-  return !c.output.open || c.fail("nct-output", "a file is open already: close it first");
+  return !c.output.open || c.fail("output", "a file is open already: close it first");
 }
 
 bool openPeriphery(NctContext& c, std::size_t i) {
   int n = 0;
   if (!integerAt(c, i, n) || !nothingBehind(c, i) || !mayOpen(c)) return false;
   if (n != kPeriphery)
-    return c.alarm(2002, "POPEN", "31, the memory of the control, is the only place to write to");
+    return c.alarm(SharedAlarm::kOutOfRange, "POPEN",
+                   "31, the memory of the control, is the only place to write to");
   c.output.open = c.output.periphery = true;
   c.output.name.clear();
   return true;
@@ -105,11 +106,12 @@ bool closePeriphery(NctContext& c, std::size_t i) {
   int n = 0;
   if (!integerAt(c, i, n) || !nothingBehind(c, i)) return false;
   if (n != kPeriphery)
-    return c.alarm(2002, "PCLOS", "31, the memory of the control, is the only place to write to");
-  if (!c.output.open || !c.output.periphery) return c.fail("nct-output", "PCLOS without POPEN");
+    return c.alarm(SharedAlarm::kOutOfRange, "PCLOS",
+                   "31, the memory of the control, is the only place to write to");
+  if (!c.output.open || !c.output.periphery) return c.fail("output", "PCLOS without POPEN");
   if (c.output.name.empty()) {
     c.output.open = false;
-    return c.fail("nct-output", "no DPRNT has named the file that POPEN opened");
+    return c.fail("output", "no DPRNT has named the file that POPEN opened");
   }
   return writeBytes(c, std::string("%") + std::string(kLineEnd)) && closeFile(c);
 }
@@ -127,11 +129,11 @@ bool fileArgument(NctContext& c, std::size_t& i, std::string& name, int& number)
   }
   const std::size_t close = at(text, i) == '<' ? text.find('>', i) : std::string_view::npos;
   if (close == std::string_view::npos) {
-    return c.alarm(2064, {}, "FOPEN needs P or a file name in < >", columnsAt(i));
+    return c.alarm(SharedAlarm::kSyntax, {}, "FOPEN needs P or a file name in < >", columnsAt(i));
   }
   name = outputName(text.substr(i + 1, close - i - 1));
   if (name.empty()) {
-    return c.fail("nct-2002",
+    return c.fail(SharedAlarm::kOutOfRange,
                   "file name data out of range: 1 to 60 characters, inside the folder of the results",
                   {static_cast<int>(i) + 1, static_cast<int>(close) + 2});
   }
@@ -145,15 +147,15 @@ bool openNamed(NctContext& c, std::size_t i) {
   if (!integerAt(c, i, mode) || !fileArgument(c, i, name, number) || !nothingBehind(c, i) || !mayOpen(c)) {
     return false;
   }
-  if (mode < 1 || mode > 5) return c.alarm(2002, "FOPEN", "1 to 5 is expected");
+  if (mode < 1 || mode > 5) return c.alarm(SharedAlarm::kOutOfRange, "FOPEN", "1 to 5 is expected");
   const bool exists = target(c).exists(name);
   if (mode == 1 && exists) {
     return c.fail(
-        number >= 0 ? "nct-2144" : "nct-2146",
+        number >= 0 ? SharedAlarm::kProgramExists : SharedAlarm::kFileExists,
         number >= 0 ? fmt::format("file (O{:04}) already exists", number) : "the given file already exists");
   }
   if ((mode == 3 || mode == 5) && !exists) {
-    return c.fail(number >= 0 ? "nct-2147" : "nct-2132",
+    return c.fail(number >= 0 ? SharedAlarm::kProgramNotFound : SharedAlarm::kFileNotFound,
                   number >= 0 ? fmt::format("file (O{:04}) not found: this run has not written it", number)
                               : "file not found: this run has not written it");
   }
@@ -165,7 +167,7 @@ bool openNamed(NctContext& c, std::size_t i) {
 
 bool closeNamed(NctContext& c, std::size_t i) {
   if (!nothingBehind(c, i)) return false;
-  if (!c.output.open || c.output.periphery) return c.fail("nct-output", "FCLOS without FOPEN");
+  if (!c.output.open || c.output.periphery) return c.fail("output", "FCLOS without FOPEN");
   return closeFile(c);
 }
 
@@ -174,9 +176,12 @@ bool variableAt(NctContext& c, std::string_view text, std::size_t& i, Value& val
   LexError error;
   const std::size_t begin = i;
   int number = 0;
-  if (!c.macro.variable(text, i, number, error)) return c.fail(error.code, error.message);
+  if (!c.macro.variable(text, i, number, error)) {
+    error.columns = {};
+    return c.fail(error);
+  }
   if (c.variables.read(number, value) == VariableStatus::kDone) return true;
-  return c.fail("nct-variable", fmt::format("{} cannot be read", text.substr(begin, i - begin)));
+  return c.fail("variable", fmt::format("{} cannot be read", text.substr(begin, i - begin)));
 }
 
 /// `[digits]` at text[i]; the digits, as text.
@@ -188,14 +193,15 @@ bool formatAt(NctContext& c, std::string_view text, std::size_t& i, std::string_
   digits = text.substr(begin, i - begin);
   const bool good = at(text, open) == '[' && !digits.empty() && digits.size() <= 3 && at(text, i) == ']';
   if (good) ++i;
-  return good || c.alarm(2064, "", "a variable to be written is followed by its digits in brackets");
+  return good ||
+         c.alarm(SharedAlarm::kSyntax, "", "a variable to be written is followed by its digits in brackets");
 }
 
 /// The text between the brackets of BPRNT and DPRNT, made into a record without its line end.
 bool record(NctContext& c, std::size_t i, bool binary, std::string& out) {
   const std::string_view text = c.block.text;
   i = skipBlanks(text, i);
-  if (at(text, i) != '[') return c.alarm(2064, {}, "'[' is expected", columnsAt(i));
+  if (at(text, i) != '[') return c.alarm(SharedAlarm::kSyntax, {}, "'[' is expected", columnsAt(i));
   for (++i; at(text, i) != ']';) {
     const char letter = upper(at(text, i));
     if (letter == '#') {
@@ -206,9 +212,10 @@ bool record(NctContext& c, std::size_t i, bool binary, std::string& out) {
       Value value;
       std::string_view digits;
       if (!variableAt(c, text, i, value) || !formatAt(c, text, i, digits)) return false;
-      if (digits.size() > 1 || digits[0] > '8') return c.alarm(2002, "BPRNT", "0 to 8 decimals");
+      if (digits.size() > 1 || digits[0] > '8')
+        return c.alarm(SharedAlarm::kOutOfRange, "BPRNT", "0 to 8 decimals");
       if (!binaryBytes(value.vacant ? 0.0 : value.number, digits[0] - '0', out))
-        return c.alarm(2092, "BPRNT");
+        return c.alarm(SharedAlarm::kValueLimit, "BPRNT");
     } else if (isDigit(letter) || (letter >= 'A' && letter <= 'Z') || letter == '/' || letter == '+' ||
                letter == '-' || letter == '*') {
       out += letter == '*' ? ' ' : letter;
@@ -216,9 +223,9 @@ bool record(NctContext& c, std::size_t i, bool binary, std::string& out) {
     } else if (letter == ' ' || letter == '\t') {
       ++i;
     } else {
-      return letter == '\0'
-                 ? c.alarm(2121, "]", {}, columnsAt(text.size()))
-                 : c.alarm(2064, {}, "letters, digits, * / + - and variables can be written", columnsAt(i));
+      return letter == '\0' ? c.alarm(SharedAlarm::kRightBracket, "]", {}, columnsAt(text.size()))
+                            : c.alarm(SharedAlarm::kSyntax, {},
+                                      "letters, digits, * / + - and variables can be written", columnsAt(i));
     }
   }
   return nothingBehind(c, i + 1);
@@ -228,12 +235,13 @@ bool print(NctContext& c, std::size_t i, bool binary) {
   OutputFile& file = c.output;
   std::string bytes;
   if (!record(c, i, binary, bytes)) return false;
-  if (!file.open) return c.fail("nct-output", "no file is open: POPEN or FOPEN comes first");
+  if (!file.open) return c.fail("output", "no file is open: POPEN or FOPEN comes first");
   if (!file.name.empty()) return writeBytes(c, bytes + std::string(kLineEnd));
-  if (binary) return c.fail("nct-output", "the first DPRNT behind POPEN names the file");
+  if (binary) return c.fail("output", "the first DPRNT behind POPEN names the file");
   bytes.erase(std::remove(bytes.begin(), bytes.end(), ' '), bytes.end());
   const std::string name = outputName(bytes);
-  if (name.empty()) return c.fail("nct-2002", fmt::format("file name data out of range: \"{}\"", bytes));
+  if (name.empty())
+    return c.fail(SharedAlarm::kOutOfRange, fmt::format("file name data out of range: \"{}\"", bytes));
   return openFile(c, name + extension(c), false) && writeBytes(c, std::string("%") + std::string(kLineEnd));
 }
 
@@ -257,12 +265,12 @@ bool outputStatement(NctContext& c) {
     if (keywordAt(c.block.text, begin, statement.word))
       return statement.run(c, begin + statement.word.size());
   }
-  return c.alarm(2064, "", "unknown statement");
+  return c.alarm(SharedAlarm::kSyntax, "", "unknown statement");
 }
 
 bool endOutput(NctContext& c) {
   if (!c.output.open) return true;
-  c.warn("nct-output", "the program ends while it has a file open: what it wrote so far is kept");
+  c.warn("output", "the program ends while it has a file open: what it wrote so far is kept");
   return closeFile(c);
 }
 
@@ -275,7 +283,7 @@ bool printedVariable(NctContext& c, std::string_view text, std::size_t& i, std::
   for (const char d : format.size() > 1 ? format.substr(0, format.size() - 1) : format)
     digits = digits * 10 + (d - '0');
   if (digits + decimals < 1 || digits + decimals > kMaxDigits) {
-    return c.alarm(2002, format, "1 to 15 digits can be written");
+    return c.alarm(SharedAlarm::kOutOfRange, format, "1 to 15 digits can be written");
   }
   out += decimalText(value.vacant ? 0.0 : value.number, digits, decimals,
                      c.parameters.flag(DataParam::kPrintNoSpaces));

@@ -29,7 +29,7 @@ bool integerWord(NctContext& c, const Word& w, std::int64_t min, std::int64_t ma
   const double value = w.from_expression ? std::round(w.value) : w.value;
   const bool whole = w.is_integer || w.from_expression;
   if (!whole || value < static_cast<double>(min) || value > static_cast<double>(max)) {
-    return c.alarm(2002, addressText(w.address),
+    return c.alarm(SharedAlarm::kOutOfRange, addressText(w.address),
                    fmt::format("an integer from {} to {} is expected", min, max), w.columns);
   }
   out = static_cast<std::int64_t>(value);
@@ -41,15 +41,15 @@ bool checkRepeats(NctContext& c) {
   if (!block.negative.empty()) {
     const auto at = std::find_if(block.words.begin(), block.words.end(),
                                  [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
-    return c.alarm(2002, addressText(at->address), "no minus sign here", block.negative_at);
+    return c.alarm(SharedAlarm::kOutOfRange, addressText(at->address), "no minus sign here",
+                   block.negative_at);
   }
   if (block.repeated.empty()) return true;
   const auto at = std::find_if(block.words.begin(), block.words.end(),
                                [&](const Word& w) { return w.columns.begin == block.repeated_at.begin; });
-  if (at->address == 'N') return c.alarm(2064, "", "two N words in one block", block.repeated_at);
-  const AlarmTable& alarms = nctAlarms();
-  return c.fail(alarms.code(SharedAlarm::kDuplicateWord),
-                alarms.message(SharedAlarm::kDuplicateWord, addressText(at->address)), block.repeated_at);
+  if (at->address == 'N')
+    return c.alarm(SharedAlarm::kSyntax, "", "two N words in one block", block.repeated_at);
+  return c.alarm(SharedAlarm::kDuplicateWord, addressText(at->address), {}, block.repeated_at);
 }
 
 }  // namespace proveout::nc

@@ -89,7 +89,7 @@ bool checkCoding(NctContext& c, const BlockPlan& plan) {
   const bool special_code = code10 == gcode::kChipBreakBesideTurning ||
                             code10 == gcode::kTapLeftBesideTurning || code10 == gcode::kFineBoreBesideTurning;
   if (!(special ? usual_code : special_code)) return true;
-  return c.fail("nct-cycle-coding",
+  return c.fail("cycle-coding",
                 fmt::format("{} is no drilling cycle with N1503.CSM = {}", gName(code10), special ? 1 : 0));
 }
 
@@ -105,7 +105,8 @@ bool chooseDrillAxis(NctContext& c, const BlockPlan& plan, int& drill) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word) || !drills(word.axis)) continue;
-    if (found != nullptr && drill != word.axis) return c.alarm(2017, w, "two drill axes in one block");
+    if (found != nullptr && drill != word.axis)
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "two drill axes in one block");
     found = &w;
     drill = word.axis;
   }
@@ -154,7 +155,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (entry) {
     if (c.state.inCycle() && !c.block.present.has('R')) {
-      return c.alarm(2053, "", "a new drill axis needs R");
+      return c.alarm(SharedAlarm::kNoBottom, "", "a new drill axis needs R");
     }
     words.bottom.reset();
     words.r.reset();
@@ -183,7 +184,7 @@ bool planCycle(NctContext& c, BlockPlan& plan) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
   }
-  if (!words.bottom || !words.r) return c.alarm(2053, "", "the cycle needs both");
+  if (!words.bottom || !words.r) return c.alarm(SharedAlarm::kNoBottom, "", "the cycle needs both");
   return planCycleWords(c, plan);
 }
 
@@ -195,7 +196,8 @@ bool planCycleWords(NctContext& c, BlockPlan& plan) {
   const int code10 = plan.next.active[kGroupCycle];
   const DrillCode code = drillCode(code10);
   const auto positive = [&](const Word& w, double& out, double scale) {
-    if (w.value < 0.0) return c.alarm(2002, addressText(w.address), "must not be negative", w.columns);
+    if (w.value < 0.0)
+      return c.alarm(SharedAlarm::kOutOfRange, addressText(w.address), "must not be negative", w.columns);
     out = w.value * scale;
     return true;
   };
@@ -245,7 +247,7 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     if (percent && axis == 0) {
-      if (w->value <= 0.0) return c.alarm(2002, *w, "a percentage above 0");
+      if (w->value <= 0.0) return c.alarm(SharedAlarm::kOutOfRange, *w, "a percentage above 0");
       words.retract_percent = w->value;
     } else {
       words.shift[static_cast<std::size_t>(axis)] = lengthOf(plan, *w);
@@ -256,17 +258,18 @@ bool planCycleVectors(NctContext& c, BlockPlan& plan, DrillCode code) {
 
 bool checkCycle(NctContext& c, const BlockPlan& plan, DrillCode code) {
   if (code == DrillCode::kFineBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
-    return c.alarm(2137, "", "the spindle cannot be oriented, N0607.ORI = 0");
+    return c.alarm(SharedAlarm::kOrientation, "", "the spindle cannot be oriented, N0607.ORI = 0");
   }
   if (isRigid(code) && !c.parameters.flag(MachineParam::kSpindleIndexes, mainNumber(c))) {
-    return c.alarm(2138, "", "N0607.INX = 0");
+    return c.alarm(SharedAlarm::kIndexing, "", "N0607.INX = 0");
   }
   if (isRigid(code) && c.parameters.flag(CycleParam::kTapOrient) &&
       !c.parameters.flag(MachineParam::kSpindleOrients, mainNumber(c))) {
-    return c.alarm(2137, "", "N1503.TSC = 1 orients the spindle before the tap, N0607.ORI = 0");
+    return c.alarm(SharedAlarm::kOrientation, "",
+                   "N1503.TSC = 1 orients the spindle before the tap, N0607.ORI = 0");
   }
   if ((code == DrillCode::kPeck || code == DrillCode::kChipBreak) && plan.next.cycle.peck <= 0.0) {
-    return c.alarm(2004, "Q", "G73 and G83 need the peck depth");
+    return c.alarm(SharedAlarm::kMissingData, "Q", "G73 and G83 need the peck depth");
   }
   return true;
 }
@@ -317,15 +320,15 @@ bool expandCycle(NctContext& c, BlockPlan& plan) {
     case DrillError::kNone:
       return true;
     case DrillError::kBadPeck:
-      return c.fail("nct-2002", "Q or E data out of range");
+      return c.fail(SharedAlarm::kOutOfRange, "Q or E data out of range");
     case DrillError::kBadRetract:
-      return c.fail("nct-2002", "I data out of range");
+      return c.fail(SharedAlarm::kOutOfRange, "I data out of range");
     case DrillError::kTooManySteps:
-      return c.fail("nct-2002", "Q data out of range: the peck is too small for this depth");
+      return c.fail(SharedAlarm::kOutOfRange, "Q data out of range: the peck is too small for this depth");
     case DrillError::kNotFinite:
       break;
   }
-  return c.fail("nct-2002", "cycle data out of range");
+  return c.fail(SharedAlarm::kOutOfRange, "cycle data out of range");
 }
 
 /// The next hole in polar data; the angle goes on from the block's own.

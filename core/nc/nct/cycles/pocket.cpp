@@ -84,7 +84,8 @@ bool toolRadius(NctContext& c, const Arguments& args, std::optional<double>& rad
   const auto row = given(args, kD);
   if (!row) return true;
   const double whole = std::round(*row);
-  if (!(whole >= 0.0 && whole <= c.parameters[CompParam::kToolOffsets])) return c.alarm(2002, "D");
+  if (!(whole >= 0.0 && whole <= c.parameters[CompParam::kToolOffsets]))
+    return c.alarm(SharedAlarm::kOutOfRange, "D");
   radius =
       c.registers.offsets.effective(OffsetColumn::kRadius, static_cast<int>(whole)) / c.state.unitScale();
   return true;
@@ -93,9 +94,10 @@ bool toolRadius(NctContext& c, const Arguments& args, std::optional<double>& rad
 bool checkCall(NctContext& c, const Arguments& args) {
   for (std::size_t k = 0; k < kUnknownVariables.size(); ++k) {
     if (!args.v[kUnknownVariables[k]].vacant)
-      return c.alarm(2017, kUnknownLetters.substr(k, 1), "the pocket macro has no such argument");
+      return c.alarm(SharedAlarm::kIllegalAddress, kUnknownLetters.substr(k, 1),
+                     "the pocket macro has no such argument");
   }
-  if (c.state.compOn()) return c.fail("nct-pocket-in-comp", "the pocket macro runs in G40");
+  if (c.state.compOn()) return c.fail("pocket-in-comp", "the pocket macro runs in G40");
   return true;
 }
 
@@ -127,14 +129,14 @@ bool pocketFrame(NctContext& c, CallFrame& frame) {
   const PocketLayout layout = layOutPocket(request);
   if (layout.error != PocketError::kNone) {
     const int number = layout.error == PocketError::kMissing ? 1 : 2;
-    return c.fail(fmt::format("nct-macro-error-{}", number),
+    return c.fail(fmt::format("macro-error-{}", number),
                   fmt::format("MACRO ERROR {}: {}", number, layout.reason));
   }
   const double feed = given(in, kF).value_or(c.state.feed);
-  if (!(feed > 0.0)) return c.fail("nct-feed", "no feed is programmed: the pocket macro needs F");
+  if (!(feed > 0.0)) return c.fail("feed", "no feed is programmed: the pocket macro needs F");
   const auto safety = given(in, static_cast<std::size_t>(kI + plane.w()));
   if (!safety) {
-    c.warn("nct-pocket-safety",
+    c.warn("pocket-safety",
            fmt::format("no safety distance {}: the tool is taken to stand on the surface", "IJK"[plane.w()]));
   }
   Arguments out;

@@ -36,7 +36,7 @@ void checkTapStart(NctContext& c, const BlockPlan& plan, const Tap& tap) {
   if (tap.hand == 0 || tap.rigid || c.state.spindle_direction == tap.hand) return;
   const std::string code = gName(plan.next.active[kGroupCycle]);
   const char* const start = tap.hand > 0 ? "M3" : "M4";
-  c.warnOnce(fmt::format("{}{}", code, c.state.spindle_direction), "nct-tap-start",
+  c.warnOnce(fmt::format("{}{}", code, c.state.spindle_direction), "tap-start",
              fmt::format("{} taps with the spindle {}: program {} before the cycle", code,
                          c.state.spindle_direction == 0 ? "standing" : "turning backwards", start));
 }

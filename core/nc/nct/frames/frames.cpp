@@ -53,7 +53,7 @@ FrameChange& frameChange(const NctContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planLocalShift(NctContext& c, BlockPlan& plan) {
-  if (!c.anyAxisWord()) return c.alarm(2004, "", "G52 needs axis words");
+  if (!c.anyAxisWord()) return c.alarm(SharedAlarm::kMissingData, "", "G52 needs axis words");
   FrameChange& change = frameChange(c, plan);
   for (const Word& w : c.block.words) {
     AxisWord word;
@@ -69,14 +69,14 @@ bool planSetPosition(NctContext& c, BlockPlan& plan) {
     plan.motion.target = plan.start;
     return true;
   }
-  if (!c.anyAxisWord()) return c.alarm(2004, "", "G92 needs axis words or S");
+  if (!c.anyAxisWord()) return c.alarm(SharedAlarm::kMissingData, "", "G92 needs axis words or S");
   FrameChange& change = frameChange(c, plan);
   const AxisPoint work = plan.chain->workOf(plan.start);
   AxisPoint position = plan.start;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (word.own_step) return c.alarm(2097, w, "G92 words are absolute");
+    if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "G92 words are absolute");
     change.shift52[word.axis] = 0.0;
     change.shift92[word.axis] = work[word.axis] - axisValue(c, plan, word, w);
     position[word.axis] = axisValue(c, plan, word, w);
@@ -95,9 +95,9 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan) {
   const bool basic = c.word('L')->value == 2.0;
   const Word* p = c.ownWord(plan, 'P');
   std::int64_t row = 0;
-  if (p == nullptr) return c.alarm(2004, "P", "G10 needs P");
+  if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G10 needs P");
   for (const Address a : {'R', 'Q'}) {
-    if (const Word* w = c.word(a)) return c.alarm(2017, *w, "in G10 L2, L20");
+    if (const Word* w = c.word(a)) return c.alarm(SharedAlarm::kIllegalAddress, *w, "in G10 L2, L20");
   }
   if (!integerWord(c, *p, basic ? 0 : 1, basic ? 6 : 99, row)) return false;
   plan.flush = true;  // the frame of the compensated path changes
@@ -112,7 +112,7 @@ bool planWorkOffset(NctContext& c, BlockPlan& plan) {
       c.asked.add(w.address);
       if (id == 0)
         return c.failWord(
-            "nct-2017",
+            SharedAlarm::kIllegalAddress,
             fmt::format("illegal address {}: the common offset has no rotation", addressText(w.address)), w);
       const int about = 'K' - w.address;  // I turns about Z, J about Y, K about X
       system.angles_deg[about] = (plan.next.incremental() ? system.angles_deg[about] : 0.0) + w.value;

@@ -12,7 +12,7 @@ namespace {
 
 /// Rotation and scaling go off in the reverse order: the outer one stays while the inner one is on.
 bool overlaps(NctContext& c, const char* what) {
-  return c.fail("nct-transform-order",
+  return c.fail("transform-order",
                 fmt::format("{}: of G68 and G51 the one that came last has to be ended first", what));
 }
 
@@ -34,7 +34,7 @@ bool centerWords(NctContext& c, const BlockPlan& plan, AxisPoint& center, AxisSe
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     const auto axis = static_cast<std::size_t>(word.axis);
-    if (named[axis]) return c.alarm(2017, w, "the axis is given twice in this block");
+    if (named[axis]) return c.alarm(SharedAlarm::kIllegalAddress, w, "the axis is given twice in this block");
     named.set(axis);
     const double value = axisValue(c, plan, word, w);
     center[word.axis] = word.step ? plan.start[word.axis] + value : value;
@@ -49,12 +49,13 @@ bool usableFactor(double value) { return value >= 1e-6 && value <= 1e6; }
 bool lengthsInPlane(NctContext& c, const BlockPlan& plan) {
   const AxisModal& modal = plan.next.axes;
   const bool rotary = c.axes.at(modal.plane_u).rotary() || c.axes.at(modal.plane_v).rotary();
-  return !rotary || modal.mode != VirtualMode::kOff || c.alarm(2088, "", "G68 rotates planes of linear axes");
+  return !rotary || modal.mode != VirtualMode::kOff ||
+         c.alarm(SharedAlarm::kPlane, "", "G68 rotates planes of linear axes");
 }
 
 bool noMirrorHere(NctContext& c, const BlockPlan& plan) {
   const Transforms& t = plan.next.transforms;
-  return (!t.rotates && !t.scales) || c.alarm(2001, "");
+  return (!t.rotates && !t.scales) || c.alarm(SharedAlarm::kMirrorInTransform, "");
 }
 
 /// G50.1 without axis words: no axis is mirrored any more.
@@ -83,7 +84,7 @@ bool planTransformsOff(NctContext& c, BlockPlan& plan) {
   const AxisModal& modal = plan.next.axes;
   const bool same_plane = modal.plane_u == t.rotation_u && modal.plane_v == t.rotation_v;
   if (t.rotates && plan.next.active[kGroupRotation] != gcode::kRotationOff && !same_plane) {
-    return c.fail("nct-plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
+    return c.fail("plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
   }
   const bool rotation = t.rotates && plan.next.active[kGroupRotation] == gcode::kRotationOff;
   const bool scaling = t.scales && plan.next.active[kGroupScaling] == gcode::kScalingOff;
@@ -99,7 +100,7 @@ bool planRotation(NctContext& c, BlockPlan& plan) {
   if (!lengthsInPlane(c, plan)) return false;
   if (outer(t, true)) return overlaps(c, "G68");
   const Word* r = c.word('R');
-  if (r == nullptr) return c.alarm(2004, "R", "G68 needs an angle");
+  if (r == nullptr) return c.alarm(SharedAlarm::kMissingData, "R", "G68 needs an angle");
   const double old_angle = t.rotates ? t.angle_deg : 0.0;
   t.rotates = false;
   AxisPoint center = outside(c, plan.next, t);
@@ -123,24 +124,23 @@ bool planScaling(NctContext& c, BlockPlan& plan) {
   const bool single = !(c.block.present & AddressSet("IJK")).empty();
   const bool real = plan.next.axes.mode == VirtualMode::kOff;
   if (single && !real) {
-    return c.fail("nct-virtual-forbidden",
-                  "G51 takes P during G12.1 and G7.1: I, J, K are factors of X, Y, Z");
+    return c.fail("virtual-forbidden", "G51 takes P during G12.1 and G7.1: I, J, K are factors of X, Y, Z");
   }
-  if (p && single) return c.alarm(2017, *p, "G51 takes P or I, J, K");
-  if (!p && !single) return c.alarm(2004, "P", "G51 needs a factor: P, or I, J, K");
+  if (p && single) return c.alarm(SharedAlarm::kIllegalAddress, *p, "G51 takes P or I, J, K");
+  if (!p && !single) return c.alarm(SharedAlarm::kMissingData, "P", "G51 needs a factor: P, or I, J, K");
   t.scales = false;
   AxisPoint center = outside(c, plan.next, t);
   AxisSet named;
   if (!centerWords(c, plan, center, named)) return false;
   t.factors = Vec3::Constant(p ? p->value : 1.0);
   if (p && !usableFactor(p->value)) {
-    return c.alarm(2002, *p, "a factor from 0.000001 to 1000000");
+    return c.alarm(SharedAlarm::kOutOfRange, *p, "a factor from 0.000001 to 1000000");
   }
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.word("IJK"[axis]);
     if (w == nullptr) continue;
     if (!usableFactor(std::abs(w->value))) {
-      return c.alarm(2002, *w, "a factor from 0.000001 to 1000000, or its opposite");
+      return c.alarm(SharedAlarm::kOutOfRange, *w, "a factor from 0.000001 to 1000000, or its opposite");
     }
     t.factors[axis] = w->value;
   }
@@ -155,7 +155,7 @@ bool planScaling(NctContext& c, BlockPlan& plan) {
 
 bool planMirror(NctContext& c, BlockPlan& plan) {
   if (!noMirrorHere(c, plan)) return false;
-  if (!c.anyAxisWord()) return c.alarm(2004, "", "G51.1 needs axis words");
+  if (!c.anyAxisWord()) return c.alarm(SharedAlarm::kMissingData, "", "G51.1 needs axis words");
   Transforms& t = plan.next.transforms;
   AxisSet named;
   if (!centerWords(c, plan, t.mirror, named)) return false;

@@ -81,19 +81,20 @@ bool collectArguments(NctContext& c, const ArgumentRules& rules, Arguments& out)
   AddressSet weak_seen;
   for (const Word& w : c.block.words) {
     const bool letter = w.address >= 'A' && w.address <= 'Z';
-    if (!letter || w.incremental) return c.alarm(2017, w, "no argument of a macro");
+    if (!letter || w.incremental) return c.alarm(SharedAlarm::kIllegalAddress, w, "no argument of a macro");
     const bool weak = rules.weak.has(w.address);
-    if (weak && weak_seen.has(w.address)) return c.alarm(2017, w, "given twice");
+    if (weak && weak_seen.has(w.address)) return c.alarm(SharedAlarm::kIllegalAddress, w, "given twice");
     if (weak) {
       weak_seen.add(w.address);
       collector.storeWeak(w.address, argument(w));
     }
   }
   if (c.block.program >= 0 && !collector.store('O', {static_cast<double>(c.block.program)}))
-    return c.alarm(2017, "O", "given twice", c.block.program_columns);
+    return c.alarm(SharedAlarm::kIllegalAddress, "O", "given twice", c.block.program_columns);
   for (const Word& w : c.block.words) {
     if (&w == rules.call || rules.weak.has(w.address)) continue;
-    if (!collector.store(w.address, argument(w))) return c.alarm(2017, w, "its variable has a value already");
+    if (!collector.store(w.address, argument(w)))
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "its variable has a value already");
   }
   return true;
 }

@@ -73,7 +73,7 @@ NctControl::Go NctControl::callMacro(const MacroCall& call) {
   NctContext& c = context_;
   until_hit_ = until_hit_ || reachedUntil();
   if (!c.systems.fault().empty()) {
-    c.fail("nct-parameter", c.systems.fault());
+    c.fail("parameter", c.systems.fault());
     return alarm();
   }
   if (call.modal != nullptr) return callFromBlock(*call.modal);
@@ -82,7 +82,7 @@ NctControl::Go NctControl::callMacro(const MacroCall& call) {
   if (!good) return alarm();
   if (frame.kind == CallKind::kMacro || frame.kind == CallKind::kSystem) return open(frame);
   if (!c.modals.activate(frame)) {
-    c.fail("nct-nesting", fmt::format("more than {} modal macros are active", kMaxNesting));
+    c.fail("nesting", fmt::format("more than {} modal macros are active", kMaxNesting));
     return alarm();
   }
   c.state.active[kGroupMacro] =
@@ -100,7 +100,8 @@ bool NctControl::explicitFrame(const MacroCall& call, CallFrame& frame) {
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return false;
   if (c.block.has_file && call.code10 != gcode::kMacroCall) {
-    return c.alarm(2017, "<>", gName(call.code10) + " calls by number only", c.block.file_columns);
+    return c.alarm(SharedAlarm::kIllegalAddress, "<>", gName(call.code10) + " calls by number only",
+                   c.block.file_columns);
   }
   ArgumentRules rules;
   rules.call = call.word;
@@ -125,7 +126,8 @@ bool NctControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   const bool is_g = isSystemG(call.system.code);
   if (is_g) rules.weak = "G";
   if (c.block.has_file)
-    return c.alarm(2017, "<>", "a file name belongs to M98 and G65", c.block.file_columns);
+    return c.alarm(SharedAlarm::kIllegalAddress, "<>", "a file name belongs to M98 and G65",
+                   c.block.file_columns);
   if (!collectArguments(c, rules, frame.args)) return false;
   frame.system_code = call.system.code;
   frame.kind = !call.system.modal                                   ? CallKind::kSystem
@@ -140,7 +142,7 @@ NctControl::Go NctControl::callFromBlock(const CallFrame& modal) {
   CallFrame frame = modal;
   frame.args = Arguments();
   if (c.block.has_file) {
-    c.alarm(2017, "<>", "a file name is no argument", c.block.file_columns);
+    c.alarm(SharedAlarm::kIllegalAddress, "<>", "a file name is no argument", c.block.file_columns);
     return alarm();
   }
   return collectArguments(c, ArgumentRules(), frame.args) ? open(frame) : alarm();

@@ -21,14 +21,14 @@ bool NctControl::takeInterruptWords() {
   for (const Word& w : c.block.words) {
     if (w.address != 'M') continue;
     if (off && (w.value == mcode::kInterruptOn || w.value == mcode::kInterruptOff)) {
-      c.warnOnce("interrupts-off", "nct-interrupt",
+      c.warnOnce("interrupts-off", "interrupt",
                  "M96 and M97 are functions of the machine builder: interrupt macros are off (N1758.USD = 0)",
                  w.columns);
     }
     const InterruptSwitch wanted = c.m_index.find(mNumber(w)).interrupt;
     const bool ends = wanted == InterruptSwitch::kOff || (off && w.value == mcode::kInterruptOff);
     if (const Word* p = c.word('P'); ends && p != nullptr && !c.block.present.has('G')) {
-      return c.alarm(2017, *p,
+      return c.alarm(SharedAlarm::kIllegalAddress, *p,
                      "M97 switches the interrupt macro off here; other controls call the part of this "
                      "program from block "
                      "N of that number on with it: make a file of it and call that with M98 P");
@@ -74,12 +74,12 @@ NctControl::Go NctControl::followInterrupts() {
                       std::find(signals.begin(), signals.end(), c.block.number) != signals.end();
   if (!signal || c.interrupt.resumed) return Go::kOn;
   if (!c.interrupt.enabled) {
-    c.warn("nct-interrupt", "the interrupt signal comes here, but M96 has enabled no interrupt macro");
+    c.warn("interrupt", "the interrupt signal comes here, but M96 has enabled no interrupt macro");
     return Go::kOn;
   }
   if (!c.parameters.flag(MacroParam::kInterruptAtBlockEnd)) {
     c.warnOnce(
-        "interrupt-at-once", "nct-interrupt",
+        "interrupt-at-once", "interrupt",
         "the interrupt macro would start inside the block (N1758.TPI = 0): it starts at the block's end");
   }
   c.interrupt.resumed = c.state;

@@ -13,16 +13,14 @@ namespace proveout::nc {
 
 namespace {
 
-bool failStatement(NctContext& c, const LexError& error) {
-  return !error.code.empty() && c.fail(error.code, error.message, error.columns);
-}
+bool failStatement(NctContext& c, const LexError& error) { return !error.code.empty() && c.fail(error); }
 
 /// Nothing but comments may stand behind a statement.
 bool endStatement(NctContext& c, std::size_t pos) {
   const std::string_view text = c.block.text;
   pos = skipBlanks(text, pos);
   if (pos >= text.size() || text[pos] == '(') return true;
-  return c.alarm(2064, "", "nothing may follow the statement",
+  return c.alarm(SharedAlarm::kSyntax, "", "nothing may follow the statement",
                  {static_cast<int>(pos) + 1, static_cast<int>(text.size()) + 1});
 }
 
@@ -32,25 +30,27 @@ const LoopIndex::Mark* loopMark(NctContext& c, std::size_t pos) {
   const bool is_end = c.block.kind == LineKind::kEnd;
   const int number = loopNumber(text, pos);
   if (number < 0) {
-    c.alarm(2002, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
+    c.alarm(SharedAlarm::kOutOfRange, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
     return nullptr;
   }
   const LoopIndex::Mark* mark = c.calls.top().text->loops().find(c.calls.lineIndex());
   if (mark == nullptr) {
-    c.alarm(2064, "", "a loop starts and ends with a line of its own");
+    c.alarm(SharedAlarm::kSyntax, "", "a loop starts and ends with a line of its own");
     return nullptr;
   }
   switch (mark->fault) {
     case LoopIndex::Fault::kNone:
       return endStatement(c, pos + 1) ? mark : nullptr;
     case LoopIndex::Fault::kDoubled:
-      c.alarm(2064, "", fmt::format("DO{0} inside DO{0}", number));
+      c.alarm(SharedAlarm::kSyntax, "", fmt::format("DO{0} inside DO{0}", number));
       return nullptr;
     case LoopIndex::Fault::kNoEnd:
-      c.alarm(2125, fmt::format("END{}", number), "loops end in pairs and do not overlap");
+      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("END{}", number),
+              "loops end in pairs and do not overlap");
       return nullptr;
     case LoopIndex::Fault::kNoDo:
-      c.alarm(2125, fmt::format("DO{}", number), "loops start in pairs and do not overlap");
+      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("DO{}", number),
+              "loops start in pairs and do not overlap");
       return nullptr;
   }
   return nullptr;
@@ -112,7 +112,7 @@ NctControl::Go NctControl::behindIf() {
   const bool loop =
       block.kind == LineKind::kWhile || block.kind == LineKind::kDo || block.kind == LineKind::kEnd;
   if (pos >= block.text.size() || loop) {
-    c.alarm(2064, "", loop ? "a loop cannot start or end behind IF" : "IF without a command");
+    c.alarm(SharedAlarm::kSyntax, "", loop ? "a loop cannot start or end behind IF" : "IF without a command");
     return stopAtAlarm();
   }
   if (block.kind != LineKind::kBlock) return statement();
@@ -123,7 +123,7 @@ NctControl::Go NctControl::behindIf() {
     return alarm();
   }
   if (block.skip != skip || block.program >= 0 || block.percent || (!numbered && block.number >= 0)) {
-    c.alarm(2064, "", "block number, program number and skip stand in front of IF");
+    c.alarm(SharedAlarm::kSyntax, "", "block number, program number and skip stand in front of IF");
     return alarm();
   }
   MacroCall call;
@@ -143,7 +143,7 @@ NctControl::Go NctControl::goTo(std::size_t pos) {
   }
   const double number = std::round(target.number);
   if (target.vacant || number < 0.0 || number > 99999999.0) {
-    c.fail("nct-2125",
+    c.fail(SharedAlarm::kBlockNotFound,
            target.vacant ? "block not found: the number of GOTO is vacant"
                          : fmt::format("block N{} not found", target.number),
            {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
@@ -163,7 +163,7 @@ NctControl::Go NctControl::enterLoop(std::size_t pos) {
     if (!condition(pos, holds)) return stopAtAlarm();
     pos = skipBlanks(text, pos);
     if (!keywordAt(text, pos, "DO")) {
-      c.alarm(2110, "");
+      c.alarm(SharedAlarm::kWhileWithoutDo, "");
       return stopAtAlarm();
     }
   }

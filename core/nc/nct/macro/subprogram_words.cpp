@@ -29,8 +29,8 @@ bool mayCall(const NctContext& c, std::int32_t code) {
 }
 
 bool takeProgram(NctContext& c, const ProgramStore::Loaded& loaded, CallFrame& frame) {
-  if (loaded.failure == ProgramStore::Failure::kEncoding) return c.fail("nct-encoding", loaded.message);
-  if (loaded.text == nullptr) return c.alarm(2147, "", loaded.message);
+  if (loaded.failure == ProgramStore::Failure::kEncoding) return c.fail("encoding", loaded.message);
+  if (loaded.text == nullptr) return c.alarm(SharedAlarm::kProgramNotFound, "", loaded.message);
   frame.text = loaded.text;
   frame.file = loaded.file;
   return true;
@@ -46,13 +46,13 @@ bool SubprogramWords::any(const NctContext& c) {
 bool SubprogramWords::take(NctContext& c) {
   count_ = 0;
   if (!c.systems.anySubprogram()) return true;
-  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
+  if (!c.systems.fault().empty()) return c.fail("parameter", c.systems.fault());
   std::vector<Word>& words = c.block.words;
   SystemCall call;
   for (const Word& w : words) {
     if (!subprogramOf(c, w, call)) continue;
     if (count_ == words_.size())
-      return c.failWord("nct-m-count", "too many subprograms are called in one block", w);
+      return c.failWord("m-count", "too many subprograms are called in one block", w);
     Taken& taken = words_[count_++];
     const std::uint32_t origin = call.variable > 0 ? numberOf(c, w, OriginKind::kArgument) : 0;
     taken = {CallFrame(), {w.value, false, origin}, call.variable};

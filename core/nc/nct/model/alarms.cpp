@@ -92,37 +92,77 @@ std::string_view textOf(int number, std::ptrdiff_t n = 0) {
   return there ? (found + n)->text : std::string_view();
 }
 
-std::string codeOf(int number) { return fmt::format("nct-{}", number); }
-
-AlarmTable::Row row(SharedAlarm alarm, int number) { return {alarm, codeOf(number), textOf(number)}; }
+AlarmTable::Row row(SharedAlarm alarm, int number) { return {alarm, number, {}, textOf(number)}; }
 
 }  // namespace
 
 const AlarmTable& nctAlarms() {
   static const AlarmTable kTable{
-      row(SharedAlarm::kSyntax, 2064),
-      row(SharedAlarm::kOutOfRange, 2002),
-      row(SharedAlarm::kIllegalAddress, 2017),
-      row(SharedAlarm::kAxisNumber, 2018),
-      row(SharedAlarm::kNotImplemented, 2123),
-      row(SharedAlarm::kRightBracket, 2121),
-      {SharedAlarm::kTerminator, codeOf(2121), textOf(2121, 1)},
-      row(SharedAlarm::kReadOnly, 2161),
-      row(SharedAlarm::kValueLimit, 2092),
-      row(SharedAlarm::kDivision, 2093),
-      row(SharedAlarm::kTangent, 2116),
-      row(SharedAlarm::kArcFunction, 2117),
-      row(SharedAlarm::kLogarithm, 2118),
-      row(SharedAlarm::kRoot, 2122),
-      row(SharedAlarm::kBits, 2129),
-      row(SharedAlarm::kParameterMissing, 2194),
-      row(SharedAlarm::kCircleRadius, 2012),
-      row(SharedAlarm::kCorner, 2085),
-      {SharedAlarm::kCornerTooLarge, "nct-corner-too-large", "chamfer or rounding too large"},
-      {SharedAlarm::kDuplicateWord, "nct-duplicate-word", "two {} in one block"},
-      {SharedAlarm::kVariable, "nct-variable", "{}"},
-      {SharedAlarm::kContour, "nct-contour", "{}"},
-  };
+      "nct",
+      {
+          row(SharedAlarm::kMirrorInTransform, 2001),
+          row(SharedAlarm::kOutOfRange, 2002),
+          row(SharedAlarm::kMissingData, 2004),
+          row(SharedAlarm::kCircleRadius, 2012),
+          row(SharedAlarm::kCircle, 2015),
+          row(SharedAlarm::kIllegalAddress, 2017),
+          row(SharedAlarm::kAxisNumber, 2018),
+          row(SharedAlarm::kThread, 2021),
+          row(SharedAlarm::kAxis, 2035),
+          row(SharedAlarm::kTorque, 2039),
+          row(SharedAlarm::kCompEndInArc, 2043),
+          row(SharedAlarm::kCompNoIntersection, 2047),
+          row(SharedAlarm::kCompInterference, 2049),
+          row(SharedAlarm::kNoBottom, 2053),
+          row(SharedAlarm::kProbeState, 2055),
+          row(SharedAlarm::kEndAbove, 2056),
+          row(SharedAlarm::kEndBelow, 2057),
+          row(SharedAlarm::kZoneEndAbove, 2058),
+          row(SharedAlarm::kZoneEndBelow, 2059),
+          row(SharedAlarm::kZoneEndInside2, 2060),
+          row(SharedAlarm::kZoneEndInside3, 2061),
+          row(SharedAlarm::kZoneEntry2, 2062),
+          row(SharedAlarm::kZoneEntry3, 2063),
+          row(SharedAlarm::kSyntax, 2064),
+          row(SharedAlarm::kChamferAndRounding, 2082),
+          row(SharedAlarm::kCorner, 2085),
+          row(SharedAlarm::kPlane, 2088),
+          row(SharedAlarm::kCompBuffer, 2090),
+          row(SharedAlarm::kValueLimit, 2092),
+          row(SharedAlarm::kDivision, 2093),
+          row(SharedAlarm::kIncremental, 2097),
+          row(SharedAlarm::kProbeLimits, 2104),
+          row(SharedAlarm::kWhileWithoutDo, 2110),
+          row(SharedAlarm::kTangent, 2116),
+          row(SharedAlarm::kArcFunction, 2117),
+          row(SharedAlarm::kLogarithm, 2118),
+          row(SharedAlarm::kRightBracket, 2121),
+          row(SharedAlarm::kRoot, 2122),
+          row(SharedAlarm::kNotImplemented, 2123),
+          row(SharedAlarm::kBlockNotFound, 2125),
+          row(SharedAlarm::kBits, 2129),
+          row(SharedAlarm::kFileNotFound, 2132),
+          row(SharedAlarm::kOrientation, 2137),
+          row(SharedAlarm::kIndexing, 2138),
+          row(SharedAlarm::kProgramExists, 2144),
+          row(SharedAlarm::kFileExists, 2146),
+          row(SharedAlarm::kProgramNotFound, 2147),
+          row(SharedAlarm::kReadOnly, 2161),
+          row(SharedAlarm::kInSmoothing, 2188),
+          row(SharedAlarm::kParameterLocked, 2193),
+          row(SharedAlarm::kParameterMissing, 2194),
+          row(SharedAlarm::kRanAbove, 3010),
+          row(SharedAlarm::kRanBelow, 3011),
+          row(SharedAlarm::kZoneRanAbove, 3040),
+          row(SharedAlarm::kZoneRanBelow, 3041),
+          row(SharedAlarm::kZoneRan2, 3042),
+          row(SharedAlarm::kZoneRan3, 3043),
+          {SharedAlarm::kTerminator, 2121, {}, textOf(2121, 1)},
+          {SharedAlarm::kCornerTooLarge, 0, "corner-too-large", "chamfer or rounding too large"},
+          {SharedAlarm::kDuplicateWord, 0, "duplicate-word", "two {} in one block"},
+          {SharedAlarm::kVariable, 0, "variable", "{}"},
+          {SharedAlarm::kContour, 0, "contour", "{}"},
+      }};
   return kTable;
 }
 
@@ -132,21 +172,30 @@ std::string alarmText(int number, std::string_view subject) {
   return subject.empty() ? "alarm of the program" : fmt::format("alarm of the program {}", subject);
 }
 
-bool AlarmReporter::alarm(int number, std::string_view subject, std::string_view detail, Columns at) {
-  return fail(codeOf(number), withDetail(alarmText(number, subject), detail), at);
+bool AlarmReporter::alarm(SharedAlarm what, std::string_view subject, std::string_view detail, Columns at) {
+  return fail(what, table_.message(what, subject, detail), at);
 }
 
-bool AlarmReporter::alarm(int number, const Word& word, std::string_view detail) {
-  return alarm(number, wordName(word, block_), detail, word.columns);
+bool AlarmReporter::alarm(SharedAlarm what, const Word& word, std::string_view detail) {
+  return alarm(what, wordName(word, block_), detail, word.columns);
 }
 
-bool AlarmReporter::fail(std::string code, std::string message, Columns at) {
-  report(Severity::kError, std::move(code), std::move(message), at);
+bool AlarmReporter::fail(const DiagnosticName& name, std::string message, Columns at) {
+  report(Severity::kError, table_.code(name), std::move(message), at);
   return false;
 }
 
-void AlarmReporter::warn(std::string code, std::string message, Columns at, Severity severity) {
-  report(severity, std::move(code), std::move(message), at);
+bool AlarmReporter::fail(const LexError& error) {
+  report(Severity::kError, error.code, error.message, error.columns);
+  return false;
+}
+
+void AlarmReporter::raise(int number, std::string message) {
+  report(Severity::kError, table_.code(number), std::move(message), {});
+}
+
+void AlarmReporter::warn(const DiagnosticName& name, std::string message, Columns at, Severity severity) {
+  report(severity, table_.code(name), std::move(message), at);
 }
 
 bool AlarmReporter::firstTime(std::string_view key) {
@@ -173,9 +222,9 @@ std::uint32_t AlarmReporter::remember() {
   return last_record_;
 }
 
-void AlarmReporter::sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
-                             std::uint32_t record) {
-  Diagnostic d = diagnosticAt(severity, std::move(code), std::move(message), at, {});
+void AlarmReporter::sendLate(Severity severity, const DiagnosticName& name, std::string message,
+                             const SourceRef& at, std::uint32_t record) {
+  Diagnostic d = diagnosticAt(severity, table_.code(name), std::move(message), at, {});
   if (record != 0) d.notes = remembered_[record % kRemembered];
   emitter_.diagnostic(d);
 }

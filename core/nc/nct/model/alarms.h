@@ -15,6 +15,7 @@
 #include "core/nc/stages/path_emitter.h"
 #include "core/nc/text/alarms.h"
 #include "core/nc/text/block.h"
+#include "core/nc/text/lexer.h"
 
 namespace proveout::nc {
 
@@ -25,7 +26,7 @@ struct Alarm {
 };
 /// Sorted by number.
 std::span<const Alarm> nctAlarmTexts();
-/// What the shared rooms refuse, as alarms of this control.
+/// What a block of the control can be refused for.
 const AlarmTable& nctAlarms();
 /// The text of an alarm with its subject filled in; without a subject the mark and the blank before it go.
 /// Numbers that the table lacks give "alarm of the program".
@@ -35,17 +36,28 @@ std::string alarmText(int number, std::string_view subject);
 /// expressions. One a channel.
 class AlarmReporter {
  public:
-  AlarmReporter(const CallStack& calls, const ProgramStore& programs, const Block& block,
-                const VariableStore& variables, PathEmitter& emitter)
-      : calls_(calls), programs_(programs), block_(block), variables_(variables), emitter_(emitter) {}
+  AlarmReporter(const AlarmTable& alarms, const CallStack& calls, const ProgramStore& programs,
+                const Block& block, const VariableStore& variables, PathEmitter& emitter)
+      : table_(alarms),
+        calls_(calls),
+        programs_(programs),
+        block_(block),
+        variables_(variables),
+        emitter_(emitter) {}
 
-  /// An alarm with the manual's number: "text of the manual: detail". Always false.
-  bool alarm(int number, std::string_view subject, std::string_view detail = {}, Columns at = {});
+  const AlarmTable& table() const { return table_; }
+  /// An alarm of the manual: "text of the manual: detail". Always false.
+  bool alarm(SharedAlarm what, std::string_view subject, std::string_view detail = {}, Columns at = {});
   /// The same at a word, whose address is the subject. Always false.
-  bool alarm(int number, const Word& word, std::string_view detail = {});
+  bool alarm(SharedAlarm what, const Word& word, std::string_view detail = {});
   /// An error under its full text: the simulator's own, or an alarm whose text says the detail. Always false.
-  bool fail(std::string code, std::string message, Columns at = {});
-  void warn(std::string code, std::string message, Columns at = {}, Severity severity = Severity::kWarning);
+  bool fail(const DiagnosticName& name, std::string message, Columns at = {});
+  /// What the lexer or a formula refused. Always false.
+  bool fail(const LexError& error);
+  /// An alarm that the program raises by number.
+  void raise(int number, std::string message);
+  void warn(const DiagnosticName& name, std::string message, Columns at = {},
+            Severity severity = Severity::kWarning);
   /// True the first time that it is asked with this key: warn then, and format the text only then.
   bool firstTime(std::string_view key);
 
@@ -55,7 +67,7 @@ class AlarmReporter {
   std::uint32_t remember();
   /// A diagnostic at a block that has gone by (cutter compensation reports late); `record` is from
   /// remember().
-  void sendLate(Severity severity, std::string code, std::string message, const SourceRef& at,
+  void sendLate(Severity severity, const DiagnosticName& name, std::string message, const SourceRef& at,
                 std::uint32_t record);
 
  private:
@@ -68,6 +80,7 @@ class AlarmReporter {
   void addValues(Notes& notes) const;
   void addVariables(Notes& notes) const;
 
+  const AlarmTable& table_;
   const CallStack& calls_;
   const ProgramStore& programs_;
   const Block& block_;

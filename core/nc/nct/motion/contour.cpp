@@ -46,18 +46,20 @@ bool inComp(const NctContext& c, const BlockPlan& plan) { return c.state.compOn(
 
 bool refuseChoice(NctContext& c, const BlockPlan& plan) {
   const Word* q = c.ownWord(plan, 'Q');
-  return q == nullptr || c.alarm(2017, *q, "Q belongs to the intersection with the block before");
+  return q == nullptr ||
+         c.alarm(SharedAlarm::kIllegalAddress, *q, "Q belongs to the intersection with the block before");
 }
 
 bool planDirection(NctContext& c, BlockPlan& plan) {
   const Word* a = c.ownWord(plan, kCommaDirection);
   if (a == nullptr) return true;
   const PlaneWords words = planeWords(plan);
-  if (words.has_u == words.has_v) return c.alarm(2017, *a, "it needs one coordinate of the plane");
+  if (words.has_u == words.has_v)
+    return c.alarm(SharedAlarm::kIllegalAddress, *a, "it needs one coordinate of the plane");
   const double angle = degToRad(std::remainder(a->value, 360.0));
   const double cosine = std::cos(angle), sine = std::sin(angle);
   if (std::abs(words.has_u ? cosine : sine) < kSteep) {
-    return c.fail("nct-contour", "a line in this direction never reaches the coordinate", a->columns);
+    return c.fail("contour", "a line in this direction never reaches the coordinate", a->columns);
   }
   AxisPoint& target = plan.motion.target;
   if (words.has_u) {
@@ -75,13 +77,13 @@ bool planJoin(NctContext& c, BlockPlan& plan) {
   const Word* round = c.ownWord(plan, kCommaRounding);
   if (chamfer == nullptr && round == nullptr) return true;
   if (chamfer != nullptr && round != nullptr) {
-    return c.alarm(2082, "", ",C and ,R in one block", round->columns);
+    return c.alarm(SharedAlarm::kChamferAndRounding, "", ",C and ,R in one block", round->columns);
   }
   const Word& word = chamfer ? *chamfer : *round;
   const PlaneWords words = planeWords(plan);
   const bool moves = words.has_u || words.has_v || plan.motion.is_arc;
-  if (!moves) return c.alarm(2085, "", "the block does not move in the plane", word.columns);
-  if (word.value < 0.0) return c.alarm(2002, word, "a length from 0");
+  if (!moves) return c.alarm(SharedAlarm::kCorner, "", "the block does not move in the plane", word.columns);
+  if (word.value < 0.0) return c.alarm(SharedAlarm::kOutOfRange, word, "a length from 0");
   if (word.value > 0.0) {
     plan.motion.join = chamfer ? PathItem::Join::kChamfer : PathItem::Join::kRound;
     plan.motion.join_size = lengthOf(plan, word);
@@ -96,7 +98,8 @@ bool planLineContour(NctContext& c, BlockPlan& plan) {
     return refuseChoice(c, plan) && planDirection(c, plan) && planJoin(c, plan);
   }
   if (!inComp(c, plan)) {
-    return c.alarm(2017, *a, "the calculation of intersections needs G41 or G42 (with D0: no offset)");
+    return c.alarm(SharedAlarm::kIllegalAddress, *a,
+                   "the calculation of intersections needs G41 or G42 (with D0: no offset)");
   }
   plan.motion.angle = degToRad(std::remainder(a->value, 360.0));
   if (words.has_u) {
@@ -121,9 +124,9 @@ bool overdeterminedArc(const NctContext& c, const BlockPlan& plan) {
 bool planOverdeterminedArc(NctContext& c, BlockPlan& plan) {
   const PlaneFrame letters(plan.next.plane());
   const Word* r = c.ownWord(plan, 'R');
-  if (!(r->value > 0.0)) return c.alarm(2002, *r, "a radius above 0");
+  if (!(r->value > 0.0)) return c.alarm(SharedAlarm::kOutOfRange, *r, "a radius above 0");
   if (const Word* l = c.ownWord(plan, 'L'))
-    return c.alarm(2017, *l, "no turns where the corner is calculated");
+    return c.alarm(SharedAlarm::kIllegalAddress, *l, "no turns where the corner is calculated");
   takeAbsolute(c, plan);
   PlannedMotion& motion = plan.motion;
   motion.is_arc = true;
@@ -141,7 +144,7 @@ bool planOverdeterminedArc(NctContext& c, BlockPlan& plan) {
 bool planCornerArc(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   if (plan.by_group[kGroupRadiusComp] != nullptr || !inComp(c, plan)) {
-    return c.fail("nct-cutter-comp", "G38 and G39 need G41 or G42");
+    return c.fail("cutter-comp", "G38 and G39 need G41 or G42");
   }
   const PlaneFrame letters(plan.next.plane());
   Vec3 vector = Vec3::Zero();
@@ -159,7 +162,7 @@ bool planCornerArc(NctContext& c, BlockPlan& plan) {
   if (given) {
     plan.motion.direction = Vec2(vector[letters.u()], vector[letters.v()]);
     if (plan.motion.direction->norm() == 0.0)
-      return c.fail("nct-2002", "I, J, K data out of range: a direction");
+      return c.fail(SharedAlarm::kOutOfRange, "I, J, K data out of range: a direction");
   }
   plan.perform = [](NctContext& context, BlockPlan& planned) {
     return pushMotion(context, planned, PathItem::Kind::kCornerArc);

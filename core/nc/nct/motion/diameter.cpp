@@ -18,18 +18,19 @@ AxisSet diameterAxes(const NctContext& c) {
 }
 
 bool planDiameter(NctContext& c, BlockPlan& plan) {
-  if (!c.anyAxisWord()) return c.alarm(2004, "", "G10.9 needs axis words: 0 radius, 1 diameter");
+  if (!c.anyAxisWord())
+    return c.alarm(SharedAlarm::kMissingData, "", "G10.9 needs axis words: 0 radius, 1 diameter");
   if (!ownBlock(c, "G10.9")) return false;
   for (const Word& w : c.block.words) {
     if (w.address == 'G') continue;
-    if (w.axis < 0) return c.alarm(2035, w, "G10.9 takes axes by their own name");
+    if (w.axis < 0) return c.alarm(SharedAlarm::kAxis, w, "G10.9 takes axes by their own name");
     const AxisInfo& info = c.axes.at(w.axis);
-    if (info.rotary()) return c.alarm(2035, w, "a rotary axis has no diameter");
-    if (w.incremental) return c.alarm(2097, w, "0 is radius, 1 is diameter");
-    if (w.value != 0.0 && w.value != 1.0) return c.alarm(2002, w, "0 is radius, 1 is diameter");
+    if (info.rotary()) return c.alarm(SharedAlarm::kAxis, w, "a rotary axis has no diameter");
+    if (w.incremental) return c.alarm(SharedAlarm::kIncremental, w, "0 is radius, 1 is diameter");
+    if (w.value != 0.0 && w.value != 1.0)
+      return c.alarm(SharedAlarm::kOutOfRange, w, "0 is radius, 1 is diameter");
     if (!c.parameters.flag(AxisParam::kDiameterByCode, info.number)) {
-      return c.failWord("nct-diameter", fmt::format("N0106.MGD = 0: G10.9 may not switch axis {}", info.name),
-                        w);
+      return c.failWord("diameter", fmt::format("N0106.MGD = 0: G10.9 may not switch axis {}", info.name), w);
     }
     plan.next.axes.diameter.set(static_cast<std::size_t>(w.axis), w.value == 1.0);
   }

@@ -31,7 +31,7 @@ void configureRapids(NctContext& c, const MotionLimits& limits) {
   c.pipe.unlink(stage);
   if (!p.flag(FeedParam::kRapidOverlap)) return;
   if (!limits.accelerations) {
-    return c.warnOnce("overlap", "nct-rapid-overlap",
+    return c.warnOnce("overlap", "rapid-overlap",
                       "N0421.ROL = 1 rounds the corners between rapids, but the machine has no acceleration: "
                       "the path keeps them sharp");
   }
@@ -82,7 +82,7 @@ double turnsPerMinute(NctContext& c, const BlockPlan& plan) {
                         plan.governor != nullptr && plan.governor->code10 == cycle);
   if (turning) return rpm;
   if (c.firstTime("spindle-stopped")) {
-    c.warn("nct-spindle-stopped",
+    c.warn("spindle-stopped",
            fmt::format("feed or dwell per turn while the spindle stands still: {} rpm is taken for the time",
                        c.settings.default_spindle_rpm));
   }
@@ -103,7 +103,7 @@ int directionOf(const NctContext& c, const BlockPlan& plan) {
 }  // namespace
 
 bool feedStyle(NctContext& c, BlockPlan& plan, FeedStyle& style) {
-  if (plan.next.feed <= 0.0) return c.fail("nct-feed", "no feed is programmed: a feed motion needs F");
+  if (plan.next.feed <= 0.0) return c.fail("feed", "no feed is programmed: a feed motion needs F");
   style.feed = plan.next.feed * plan.next.unitScale();
   if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
   style.join = joinOf(plan);

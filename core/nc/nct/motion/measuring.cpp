@@ -37,7 +37,7 @@ int codeInTheWay(const NctState& s, bool any_compensation) {
 bool checkState(NctContext& c, const BlockPlan& plan, bool any_compensation) {
   int code = codeInTheWay(plan.next, any_compensation);
   if (code == 0 && !any_compensation && c.state.compOn()) code = c.state.active[kGroupRadiusComp];
-  return code == 0 || c.alarm(2055, gName(code));
+  return code == 0 || c.alarm(SharedAlarm::kProbeState, gName(code));
 }
 
 /// The second of several named axes by their numbers (2035); without one, what there is alone.
@@ -47,10 +47,11 @@ bool checkOneAxis(NctContext& c, const BlockPlan& plan, std::string_view code) {
   for (int k = 0; k < c.axes.count(); ++k) {
     if (plan.motion.named[static_cast<std::size_t>(k)]) axes.push_back(k);
   }
-  if (axes.empty()) return c.alarm(2035, "", fmt::format("{} needs the word of an axis", code));
+  if (axes.empty()) return c.alarm(SharedAlarm::kAxis, "", fmt::format("{} needs the word of an axis", code));
   std::sort(axes.begin(), axes.end(),
             [&](int a, int b) { return c.axes.at(a).number < c.axes.at(b).number; });
-  return c.alarm(2035, c.axes.at(axes[1]).name, fmt::format("{} measures along one axis", code));
+  return c.alarm(SharedAlarm::kAxis, c.axes.at(axes[1]).name,
+                 fmt::format("{} measures along one axis", code));
 }
 
 /// F, or with the bit `fixed` the parameter.
@@ -59,12 +60,12 @@ bool measuringFeed(NctContext& c, BlockPlan& plan, SafetyParam fixed, SafetyPara
   if (!c.parameters.flag(fixed)) return feedStyle(c, plan, style);
   style.join = joinOf(plan);
   style.feed = c.parameters[value];
-  return style.feed > 0.0 || c.fail("nct-feed", "the parameter of the measuring feed (N0311, N0312) is 0");
+  return style.feed > 0.0 || c.fail("feed", "the parameter of the measuring feed (N0311, N0312) is 0");
 }
 
 bool noAxis(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
-  c.warn("nct-2004", "no axis is named: no motion");
+  c.warn(SharedAlarm::kMissingData, "no axis is named: no motion");
   return true;
 }
 
@@ -90,17 +91,17 @@ AxisPoint between(const NctContext& c, const AxisPoint& from, const AxisPoint& t
 /// Asks the probe about the line to `to`, machine. `stop`: where the contact is, or nothing. False: reported.
 bool ask(NctContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
   if (c.host.probe == nullptr) {
-    c.warnOnce("no probe", "nct-no-probe",
+    c.warnOnce("no probe", "no-probe",
                "there is no stock here that a measuring move could touch: it goes to its end");
     return true;
   }
   if (!c.stages.rapid.flush(FlushReason::kBuffer)) return false;  // the tool stands where it measures from
   c.emitter.time().flush();  // everything before is part of the stock that answers
   const auto line = c.emitter.lineOf(to, c.here());
-  if (!line) return c.fail("nct-probe-turn", "a measuring move that turns a table is not simulated");
+  if (!line) return c.fail("probe-turn", "a measuring move that turns a table is not simulated");
   const auto contact =
       c.host.probe->firstContact(line->motion, nullptr, line->has_axis ? &line->axis : nullptr);
-  if (!contact) return c.fail("nct-probe", contact.error().message);
+  if (!contact) return c.fail("probe", contact.error().message);
   if (*contact) stop = between(c, c.emitter.machine(), to, std::clamp(**contact, 0.0, 1.0));
   return true;
 }
@@ -130,12 +131,12 @@ bool skipWords(NctContext& c, const BlockPlan& plan, bool& torque) {
   const bool input =
       p == nullptr || (p->value >= 1.0 && p->value <= kProbeInputs && p->value == std::floor(p->value));
   if (!torque && !input) {
-    return c.failWord("nct-probe-input", "P specification error: G31 takes P1 to P8 or P98", *p);
+    return c.failWord("probe-input", "P specification error: G31 takes P1 to P8 or P98", *p);
   }
-  if (!torque) return q == nullptr || c.alarm(2017, *q, "G31 takes Q with P98 only");
-  if (q == nullptr) return c.alarm(2004, "Q", "G31 P98 needs the torque Q1 to Q254");
+  if (!torque) return q == nullptr || c.alarm(SharedAlarm::kIllegalAddress, *q, "G31 takes Q with P98 only");
+  if (q == nullptr) return c.alarm(SharedAlarm::kMissingData, "Q", "G31 P98 needs the torque Q1 to Q254");
   if (q->value >= 1.0 && q->value <= 254.0 && q->value == std::floor(q->value)) return true;
-  return c.alarm(2039, *q, "the torque is Q1 to Q254");
+  return c.alarm(SharedAlarm::kTorque, *q, "the torque is Q1 to Q254");
 }
 
 }  // namespace
@@ -166,12 +167,12 @@ bool measureLength(NctContext& c, BlockPlan& plan, const LengthMove& move) {
   if (late) {  // the move ends where the control gives up
     const double off = std::abs(c.chain.programOf(*late)[move.axis] - move.gauge[move.axis]);
     return send(c, c.chain.machineOf(move.furthest), &plan.motion.feed) && tellProbe(c, false) &&
-           c.alarm(2104, "",
+           c.alarm(SharedAlarm::kProbeLimits, "",
                    fmt::format("the contact lies {:.6g} mm behind where it should be, {:.6g} allowed", off,
                                c.parameters[SafetyParam::kAlarmDistance]));
   }
   if (!stop) {
-    c.warnOnce("no gauge", "nct-no-gauge",
+    c.warnOnce("no gauge", "no-gauge",
                "nothing answers where G37 measures: the tool is taken to be as long as its offset says", {});
   }
   return send(c, stop.value_or(c.chain.machineOf(move.gauge)), &plan.motion.feed) &&
@@ -186,7 +187,7 @@ bool performLength(NctContext& c, BlockPlan& plan) {
   const double difference = move.gauge[move.axis] - c.position[move.axis];
   const double allowed = c.parameters[SafetyParam::kAlarmDistance];
   if (std::abs(difference) > allowed) {
-    return c.alarm(2104, "",
+    return c.alarm(SharedAlarm::kProbeLimits, "",
                    fmt::format("{:.6g} mm from where it should be, {:.6g} allowed", -difference, allowed));
   }
   constexpr double kNone = 1e-9;
@@ -207,11 +208,11 @@ bool checkLengthMode(NctContext& c, const BlockPlan& plan) {
   const double rapid = c.parameters[SafetyParam::kRapidDistance];
   const double allowed = c.parameters[SafetyParam::kAlarmDistance];
   if (!(allowed > 0.0 && rapid > allowed)) {
-    return c.fail("nct-parameter", "G37: N3004 must be above N3005, and N3005 above 0");
+    return c.fail("parameter", "G37: N3004 must be above N3005, and N3005 above 0");
   }
   if (plan.next.active[kGroupLengthComp] == gcode::kLengthOff)
-    return c.alarm(2055, "G49", "G37 corrects the offset in force");
-  return plan.next.h > 0 || c.alarm(2004, "H", "G37 corrects the row of the H in force");
+    return c.alarm(SharedAlarm::kProbeState, "G49", "G37 corrects the offset in force");
+  return plan.next.h > 0 || c.alarm(SharedAlarm::kMissingData, "H", "G37 corrects the row of the H in force");
 }
 
 }  // namespace
@@ -224,7 +225,7 @@ bool planToolLength(NctContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (word.own_step) return c.alarm(2097, w, "the gauge of G37 is always absolute");
+    if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "the gauge of G37 is always absolute");
     plan.motion.named.set(static_cast<std::size_t>(word.axis));
     move.axis = word.axis;
     move.gauge[word.axis] = axisValue(c, plan, word, w);

@@ -39,8 +39,7 @@ bool planRapid(NctContext& c, BlockPlan& plan) {
   if (stepsAside(c, plan) && (plan.next.compOffset() != 0.0 || c.state.compOffset() != 0.0)) {
     plan.motion.rapid = plan.next.feed <= 0.0;
     if (!plan.motion.rapid) return feedStyle(c, plan, plan.motion.feed);
-    c.warn("nct-feed",
-           "onto the offset or off it the tool goes by feed here, and there is no F: rapid is taken");
+    c.warn("feed", "onto the offset or off it the tool goes by feed here, and there is no F: rapid is taken");
   }
   plan.motion.rapid = true;
   plan.motion.feed.join.stops = joinOf(plan).stops;
@@ -59,29 +58,30 @@ bool planLine(NctContext& c, BlockPlan& plan) {
 namespace {
 
 struct ArcFailure {
-  const char* code;
+  SharedAlarm code;
   const char* message;
 };
 
 ArcFailure describe(ArcError error) {
   switch (error) {
     case ArcError::kNoDefinition:
-      return {"nct-2015", "circle definition error: neither R nor I, J, K is given"};
+      return {SharedAlarm::kCircle, "circle definition error: neither R nor I, J, K is given"};
     case ArcError::kCenterOutsidePlane:
-      return {"nct-2015", "circle definition error: a centre word does not belong to the selected plane"};
+      return {SharedAlarm::kCircle,
+              "circle definition error: a centre word does not belong to the selected plane"};
     case ArcError::kRadiusWithoutEnd:
-      return {"nct-2015", "circle definition error: R needs an end point in the plane"};
+      return {SharedAlarm::kCircle, "circle definition error: R needs an end point in the plane"};
     case ArcError::kZeroRadius:
-      return {"nct-2015", "circle definition error: the radius is 0"};
+      return {SharedAlarm::kCircle, "circle definition error: the radius is 0"};
     case ArcError::kRadiusDifference:
-      return {"nct-2012", "circle radius difference error"};
+      return {SharedAlarm::kCircleRadius, "circle radius difference error"};
     case ArcError::kBadTurns:
-      return {"nct-2002", "L data out of range: the number of turns is an integer from 1"};
+      return {SharedAlarm::kOutOfRange, "L data out of range: the number of turns is an integer from 1"};
     case ArcError::kNotFinite:
     case ArcError::kNone:
       break;
   }
-  return {"nct-2002", "circle data out of range"};
+  return {SharedAlarm::kOutOfRange, "circle data out of range"};
 }
 
 }  // namespace
@@ -109,7 +109,7 @@ bool arcRequest(NctContext& c, const BlockPlan& plan, ArcRequest& request) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     if (plan.next.axes.mode == VirtualMode::kCylinder) {
-      return c.alarm(2017, *w, "arcs during G7.1 are given by R");
+      return c.alarm(SharedAlarm::kIllegalAddress, *w, "arcs during G7.1 are given by R");
     }
     double value = lengthOf(plan, *w);
     if (c.parameters.flag(MotionParam::kAbsoluteCentre)) {
@@ -157,7 +157,7 @@ bool checkTurns(NctContext& c, const BlockPlan& plan) {
   const bool spiral = std::abs(arc.startRadius() - arc.endRadius()) > kSameRadiusMm;
   const double most = spiral ? kMostOfSpirals : kMostTurns;
   if (std::abs(arc.sweep_rad) > most * 2.0 * kPi + 1e-6) {
-    return c.alarm(2002, c.ownWord(plan, 'L') != nullptr ? "L" : "",
+    return c.alarm(SharedAlarm::kOutOfRange, c.ownWord(plan, 'L') != nullptr ? "L" : "",
                    fmt::format("more than {:g} turns of a {} in one block are not simulated", most,
                                spiral ? "spiral" : "circle"));
   }
@@ -166,7 +166,8 @@ bool checkTurns(NctContext& c, const BlockPlan& plan) {
   for (int axis = kMainAxes; axis < c.axes.count(); ++axis) {
     odd = odd || plan.motion.named[static_cast<std::size_t>(axis)];
   }
-  return !odd || c.alarm(2002, "L", "more than 100 turns with parallel or rotary axes are not simulated");
+  return !odd || c.alarm(SharedAlarm::kOutOfRange, "L",
+                         "more than 100 turns with parallel or rotary axes are not simulated");
 }
 
 }  // namespace
@@ -175,7 +176,7 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   const bool arc_word = !(c.block.present & AddressSet("IJKR")).without(plan.claimed).empty();
   if (!c.anyAxisWord() && !arc_word) return refuseChoice(c, plan) && planJoin(c, plan);  // F, M or nothing
-  if (!planeOfLines(c, plan, 2015, "circles need linear axes")) return false;
+  if (!planeOfLines(c, plan, SharedAlarm::kCircle, "circles need linear axes")) return false;
   if (overdeterminedArc(c, plan)) {
     plan.perform = performMove;
     return planOverdeterminedArc(c, plan) && planJoin(c, plan) && feedStyle(c, plan, plan.motion.feed);
@@ -190,18 +191,18 @@ bool planArc(NctContext& c, BlockPlan& plan) {
   const bool differs = !request.turns && open && resolved.radius_difference > kUsualDifferenceMm;
   if (const double away = farthestFromStart(resolved.arc); differs && away > kFarthestMm) {
     return c.alarm(
-        2012, "",
+        SharedAlarm::kCircleRadius, "",
         fmt::format("{:.6g} mm between start and end radius, and the arc leads {:.0f} m away from its start",
                     resolved.radius_difference, 1e-3 * away));
   }
   if (differs) {
-    c.warn("nct-2012",
+    c.warn(SharedAlarm::kCircleRadius,
            fmt::format(
                "start and end radius differ by {:.6g} mm: run as a spiral, because the job does not give "
                "N1339; a control with a smaller N1339 stops here with alarm 2012",
                resolved.radius_difference));
   }
-  if (resolved.center_ignored) c.warn("nct-arc-both", "R and I, J, K in one block: R counts");
+  if (resolved.center_ignored) c.warn("arc-both", "R and I, J, K in one block: R counts");
   if (resolved.no_motion) {
     plan.motion.target = plan.start;
     if (const Word* r = c.ownWord(plan, 'R')) {
@@ -239,10 +240,10 @@ bool planDwell(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   const Word* p = c.ownWord(plan, 'P');
   if (p == nullptr) {
-    c.warn("nct-2004", "G4 without P: no dwell");
+    c.warn(SharedAlarm::kMissingData, "G4 without P: no dwell");
     return true;
   }
-  if (p->value < 0.0) return c.alarm(2002, *p, "a dwell is not negative");
+  if (p->value < 0.0) return c.alarm(SharedAlarm::kOutOfRange, *p, "a dwell is not negative");
   const bool turns = plan.next.perTurn() && !c.parameters.flag(MotionParam::kDwellSeconds);
   dwell.seconds = turns ? p->value * 60.0 / turnsPerMinute(c, plan) : p->value;
   return true;
@@ -272,7 +273,7 @@ bool machineZeroKnown(const NctContext& c) {
 void warnOfMachineZero(NctContext& c, bool known) {
   if (c.settings.reference_points[0]) return;
   c.warnOnce(
-      "machine-zero", "nct-machine-zero",
+      "machine-zero", "machine-zero",
       known
           ? "G53: the job gives no reference point ([machine] reference_points), so machine zero is only as "
             "good as its work offsets ([offsets.work])"
@@ -299,7 +300,7 @@ bool planMachineMove(NctContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (word.own_step) return c.alarm(2097, w, "G53 is always absolute");
+    if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "G53 is always absolute");
     const double value = axisValue(c, plan, word, w);
     double& to = move.to[word.axis];
     const bool rotary = word.axis >= kMainAxes && c.axes.at(word.axis).rotary();
@@ -316,13 +317,14 @@ bool planReference(NctContext& c, BlockPlan& plan) {
   std::int64_t point = 1;
   if (plan.by_group[kOneShot]->code10 == gcode::kNumberedReference) {
     const Word* p = c.ownWord(plan, 'P');
-    if (p == nullptr) return c.alarm(2004, "P", "G30 needs the number of the reference point");
+    if (p == nullptr)
+      return c.alarm(SharedAlarm::kMissingData, "P", "G30 needs the number of the reference point");
     if (!integerWord(c, *p, 1, 4, point)) return false;
   }
   AxisPoint via = plan.start;
   if (!axisTarget(c, plan, via, WordsAre::kRectangular)) return false;
   if (!c.anyAxisWord()) {
-    c.warn("nct-2004", "no axis is named: no motion");
+    c.warn(SharedAlarm::kMissingData, "no axis is named: no motion");
     return true;
   }
   const auto& given = c.settings.reference_points[static_cast<std::size_t>(point - 1)];
@@ -332,7 +334,7 @@ bool planReference(NctContext& c, BlockPlan& plan) {
   }
   if (!given) {
     c.warnOnce(
-        fmt::format("reference{}", point), "nct-reference",
+        fmt::format("reference{}", point), "reference",
         fmt::format(
             "the job does not give reference point {}: the start position is taken; a job file tells it "
             "by reference_points under [machine]",

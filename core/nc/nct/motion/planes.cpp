@@ -23,7 +23,8 @@ bool planPlane(NctContext& c, BlockPlan& plan) {
       if (main != (slot == 0 ? frame.u() : frame.v())) continue;
       // Beside a main axis its parallel one only moves.
       const bool both_parallel = named[slot] && axes[slot] >= kMainAxes && w.axis >= kMainAxes;
-      if (both_parallel) return c.alarm(2088, "", "two parallel axes for one axis of the plane", w.columns);
+      if (both_parallel)
+        return c.alarm(SharedAlarm::kPlane, "", "two parallel axes for one axis of the plane", w.columns);
       if (!named[slot] || w.axis < kMainAxes) axes[slot] = w.axis;
       named[slot] = true;
     }
@@ -37,7 +38,7 @@ bool planPlane(NctContext& c, BlockPlan& plan) {
   return true;
 }
 
-bool planeOfLines(NctContext& c, const BlockPlan& plan, int alarm, const char* what) {
+bool planeOfLines(NctContext& c, const BlockPlan& plan, SharedAlarm alarm, const char* what) {
   const AxisModal& modal = plan.next.axes;
   for (const int axis : {static_cast<int>(modal.plane_u), static_cast<int>(modal.plane_v)}) {
     if (axis < kMainAxes) continue;

@@ -9,6 +9,6 @@ namespace proveout::nc {
 bool planPlane(NctContext& c, BlockPlan& plan);
 /// Can the plane in force hold circles and compensated paths? False, with that alarm: it has a rotary axis
 /// that does not stand for a linear one, or a parallel axis under a rotation.
-bool planeOfLines(NctContext& c, const BlockPlan& plan, int alarm, const char* what);
+bool planeOfLines(NctContext& c, const BlockPlan& plan, SharedAlarm alarm, const char* what);
 
 }  // namespace proveout::nc

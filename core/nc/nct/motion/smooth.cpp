@@ -50,7 +50,7 @@ bool performSmooth(NctContext& c, BlockPlan& plan) {
 bool planSmooth(NctContext& c, BlockPlan& plan) {
   const Word* q = c.ownWord(plan, 'Q');
   std::int64_t mode = 0;
-  if (q == nullptr) return c.alarm(2004, "Q", "G5.1 needs Q0 to Q3");
+  if (q == nullptr) return c.alarm(SharedAlarm::kMissingData, "Q", "G5.1 needs Q0 to Q3");
   if (!integerWord(c, *q, 0, 3, mode)) return false;
   AxisModal& modal = plan.next.axes;
   modal.smoothing = static_cast<std::int8_t>(mode);
@@ -58,7 +58,8 @@ bool planSmooth(NctContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (w.axis < 0) return c.alarm(2017, w, "the axes that take part go by their own names");
+    if (w.axis < 0)
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "the axes that take part go by their own names");
     modal.smooth_axes.set(static_cast<std::size_t>(word.axis));
   }
   plan.motion.target = plan.start;

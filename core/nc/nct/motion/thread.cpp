@@ -22,13 +22,13 @@ bool performThread(NctContext& c, BlockPlan& plan) {
 bool threadLead(NctContext& c, BlockPlan& plan) {
   const Word* f = c.word('F');
   const Word* e = c.ownWord(plan, 'E');
-  if (f && e) return c.alarm(2021, *e, "F and E in one block");
+  if (f && e) return c.alarm(SharedAlarm::kThread, *e, "F and E in one block");
   if (const Word* w = f ? f : e) {
-    if (!(w->value > 0.0)) return c.alarm(2021, *w, "the lead must be above 0");
+    if (!(w->value > 0.0)) return c.alarm(SharedAlarm::kThread, *w, "the lead must be above 0");
     plan.next.axes.thread_lead = f ? lengthOf(plan, *f) : 25.4 / e->value;
   }
   if (plan.next.axes.thread_lead > 0.0) return true;
-  return c.alarm(2021, "", "G33 needs F or E");
+  return c.alarm(SharedAlarm::kThread, "", "G33 needs F or E");
 }
 
 }  // namespace
@@ -41,13 +41,13 @@ bool planThread(NctContext& c, BlockPlan& plan) {
     return false;
   }
   if (!c.anyAxisWord()) return true;
-  if (plan.motion.named.count() > 2) return c.alarm(2017, "", "G33 moves one axis or two");
+  if (plan.motion.named.count() > 2)
+    return c.alarm(SharedAlarm::kIllegalAddress, "", "G33 moves one axis or two");
   if (plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed) {
-    return c.fail("nct-thread-surface-speed",
-                  "G33 cannot run with constant surface speed: program G97 first");
+    return c.fail("thread-surface-speed", "G33 cannot run with constant surface speed: program G97 first");
   }
   if (plan.next.compOn()) {
-    return c.fail("nct-thread-comp", "G33 cannot run with cutter compensation: program G40 first");
+    return c.fail("thread-comp", "G33 cannot run with cutter compensation: program G40 first");
   }
   ThreadStart& start = plan.payload.emplace<ThreadStart>();
   start.tell = !modal.threading;

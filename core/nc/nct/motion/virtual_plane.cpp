@@ -36,7 +36,8 @@ bool forbidden(const GCode& code, VirtualMode mode) {
 bool virtualAxes(NctContext& c, const AxisModal& modal, int& linear, int& rotary) {
   const bool first = c.axes.at(modal.plane_u).rotary(), second = c.axes.at(modal.plane_v).rotary();
   if (first == second) {
-    return c.alarm(2088, "", "a block G17, G18 or G19 with a linear and a rotary axis must stand before");
+    return c.alarm(SharedAlarm::kPlane, "",
+                   "a block G17, G18 or G19 with a linear and a rotary axis must stand before");
   }
   linear = first ? modal.plane_v : modal.plane_u;
   rotary = first ? modal.plane_u : modal.plane_v;
@@ -45,10 +46,10 @@ bool virtualAxes(NctContext& c, const AxisModal& modal, int& linear, int& rotary
 
 bool readyForMode(NctContext& c, const BlockPlan& plan, const char* name) {
   if (plan.next.compOn()) {
-    return c.fail("nct-virtual-comp", fmt::format("{} needs G40: cutter compensation is on", name));
+    return c.fail("virtual-comp", fmt::format("{} needs G40: cutter compensation is on", name));
   }
   if (plan.next.transforms.any() || plan.chain->turns()) {
-    return c.fail("nct-virtual-frame",
+    return c.fail("virtual-frame",
                   fmt::format("{} cannot be switched in a rotated coordinate system, nor while mirroring, "
                               "scaling or rotation (G51.1, G51, G68) is on",
                               name));
@@ -78,7 +79,7 @@ bool performMode(NctContext& c, BlockPlan& plan) {
     c.settle(c.machine);
     const double error = c.emitter.polarError(c.stages.virtual_plane.plane());
     if (named == VirtualMode::kPolar && error > kZero) {
-      c.warn("nct-polar-center",
+      c.warn("polar-center",
              fmt::format(
                  "G12.1: the tool's way runs {:.6g} mm beside the centre of axis {}: the part gets another "
                  "shape than the program's",
@@ -94,46 +95,46 @@ bool performMode(NctContext& c, BlockPlan& plan) {
 bool ownBlock(NctContext& c, std::string_view name) {
   for (const Word& w : c.block.words) {
     if (w.axis < 0 && w.address != 'G') {
-      return c.failWord("nct-own-block", fmt::format("{} stands in a block of its own", name), w);
+      return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), w);
     }
   }
   if (c.block.words.size() <= 1 || c.block.words[1].address != 'G') return true;
-  return c.failWord("nct-own-block", fmt::format("{} stands in a block of its own", name), c.block.words[1]);
+  return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), c.block.words[1]);
 }
 
 bool checkVirtual(NctContext& c, const BlockPlan& plan) {
   const VirtualMode mode = c.state.axes.mode;
   for (const GCode* code : plan.by_group) {
     if (code == nullptr || !forbidden(*code, mode)) continue;
-    return c.fail("nct-virtual-forbidden",
+    return c.fail("virtual-forbidden",
                   fmt::format("{} is not allowed during {}", gName(code->code10), modeName(mode)));
   }
   if (mode == VirtualMode::kPolar && plan.by_group[kGroupCycle] && plan.next.inCycle()) {
-    c.warn("nct-virtual-cycle", "a drilling cycle during G12.1: the manual does not say what it does");
+    c.warn("virtual-cycle", "a drilling cycle during G12.1: the manual does not say what it does");
   }
   return true;
 }
 
 bool planPolarOn(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
-  if (c.block.words.size() != 1) return c.fail("nct-own-block", "G12.1 stands in a block of its own");
+  if (c.block.words.size() != 1) return c.fail("own-block", "G12.1 stands in a block of its own");
   AxisModal& modal = plan.next.axes;
-  if (modal.mode == VirtualMode::kCylinder) return c.fail("nct-virtual-forbidden", "G12.1 during G7.1");
+  if (modal.mode == VirtualMode::kCylinder) return c.fail("virtual-forbidden", "G12.1 during G7.1");
   if (modal.mode == VirtualMode::kPolar) {
-    c.warn("nct-virtual-on", "G12.1 is on already: no effect");
+    c.warn("virtual-on", "G12.1 is on already: no effect");
     return true;
   }
   int linear = 0, rotary = 0;
   if (!virtualAxes(c, modal, linear, rotary)) return false;
-  if (linear != modal.plane_u) return c.alarm(2088, "", "the linear axis must be the first of the plane");
+  if (linear != modal.plane_u)
+    return c.alarm(SharedAlarm::kPlane, "", "the linear axis must be the first of the plane");
   if (!readyForMode(c, plan, "G12.1")) return false;
   const double period = c.parameters.value(AxisParam::kRolloverPeriod, c.axes.at(rotary).number);
   if (std::abs(std::remainder(plan.start[rotary], period)) > kZero) {
-    return c.fail("nct-polar-start", fmt::format("G12.1: axis {} must stand at 0", c.axes.at(rotary).name));
+    return c.fail("polar-start", fmt::format("G12.1: axis {} must stand at 0", c.axes.at(rotary).name));
   }
   if (std::abs(plan.start[linear]) <= kZero) {
-    return c.fail("nct-polar-start",
-                  fmt::format("G12.1: axis {} must not stand at 0", c.axes.at(linear).name));
+    return c.fail("polar-start", fmt::format("G12.1: axis {} must not stand at 0", c.axes.at(linear).name));
   }
   modal.mode = VirtualMode::kPolar;
   modal.linear = static_cast<std::int8_t>(linear);
@@ -146,7 +147,7 @@ bool planPolarOff(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   AxisModal& modal = plan.next.axes;
   if (modal.mode == VirtualMode::kPolar && c.block.words.size() != 1) {
-    return c.fail("nct-own-block", "G13.1 stands in a block of its own");
+    return c.fail("own-block", "G13.1 stands in a block of its own");
   }
   if (modal.mode != VirtualMode::kPolar) return true;
   if (!readyForMode(c, plan, "G13.1")) return false;
@@ -158,26 +159,29 @@ bool planPolarOff(NctContext& c, BlockPlan& plan) {
 bool planCylinder(NctContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   if (c.block.words.size() != 2 || !c.anyAxisWord()) {
-    return c.fail("nct-own-block",
+    return c.fail("own-block",
                   "G7.1 takes a rotary axis with the radius of the cylinder, in a block of its own");
   }
   const Word& word = c.block.words[c.block.words[0].address == 'G' ? 1 : 0];
-  if (word.axis < 0 || !c.axes.at(word.axis).rotary()) return c.alarm(2035, word, "G7.1 takes a rotary axis");
-  if (word.incremental) return c.alarm(2097, word, "the word of G7.1 is a radius");
+  if (word.axis < 0 || !c.axes.at(word.axis).rotary())
+    return c.alarm(SharedAlarm::kAxis, word, "G7.1 takes a rotary axis");
+  if (word.incremental) return c.alarm(SharedAlarm::kIncremental, word, "the word of G7.1 is a radius");
   const double radius = lengthOf(plan, word);
-  if (!(radius >= 0.0)) return c.alarm(2002, word, "the radius of the cylinder is not negative");
+  if (!(radius >= 0.0))
+    return c.alarm(SharedAlarm::kOutOfRange, word, "the radius of the cylinder is not negative");
   AxisModal& modal = plan.next.axes;
-  if (modal.mode == VirtualMode::kPolar) return c.fail("nct-virtual-forbidden", "G7.1 during G12.1");
+  if (modal.mode == VirtualMode::kPolar) return c.fail("virtual-forbidden", "G7.1 during G12.1");
   const bool on = modal.mode == VirtualMode::kCylinder;
-  if (on && word.axis != modal.rotary) return c.alarm(2035, word, "G7.1 is on for another axis");
+  if (on && word.axis != modal.rotary)
+    return c.alarm(SharedAlarm::kAxis, word, "G7.1 is on for another axis");
   if (!on && radius == 0.0) return true;
   if (on && radius > 0.0) {
-    return c.fail("nct-virtual-on", fmt::format("G7.1 is on: end it with radius 0 first"), word.columns);
+    return c.fail("virtual-on", fmt::format("G7.1 is on: end it with radius 0 first"), word.columns);
   }
   int linear = modal.linear, rotary = modal.rotary;
   if (!on && !virtualAxes(c, modal, linear, rotary)) return false;
   if (rotary != word.axis)
-    return c.alarm(2088, "", "the rotary axis of G7.1 is not in the plane", word.columns);
+    return c.alarm(SharedAlarm::kPlane, "", "the rotary axis of G7.1 is not in the plane", word.columns);
   if (!readyForMode(c, plan, "G7.1")) return false;
   modal.mode = on ? VirtualMode::kOff : VirtualMode::kCylinder;
   modal.linear = static_cast<std::int8_t>(linear);

@@ -57,7 +57,7 @@ bool function(NctContext& c, const BlockPlan& plan, const MFunction& found, int 
   switch (m) {
     case mcode::kToolChange:
       if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool, plan.next.next_row);
-      c.warn("nct-no-t", "M6 without T: the tool stays");
+      c.warn("no-t", "M6 without T: the tool stays");
       return sendToolChange(c, c.state.tool, c.state.tool_row);
     default:
       break;

@@ -11,7 +11,7 @@ void tellUnused(NctContext& c, const Word& word, std::string_view code, std::str
   if (!c.firstTime(fmt::format("unused {} {} {}", at.file, at.line, word.columns.begin))) return;
   const auto text = c.block.text.substr(static_cast<std::size_t>(word.columns.begin - 1),
                                         static_cast<std::size_t>(word.columns.end - word.columns.begin));
-  c.warn("nct-unused-word", fmt::format("{} does nothing in this block of {}: {}", text, code, why),
+  c.warn("unused-word", fmt::format("{} does nothing in this block of {}: {}", text, code, why),
          word.columns);
 }
 

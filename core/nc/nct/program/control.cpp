@@ -75,27 +75,25 @@ bool NctControl::start() {
   NctContext& c = context_;
   const ControlSettings& settings = c.settings;
   const Status known = c.parameters.set(settings.parameters);
-  if (!known.ok()) return c.fail("nct-parameter", known.error().message);
+  if (!known.ok()) return c.fail("parameter", known.error().message);
   if (settings.units == LengthUnit::kInch && !c.parameters.given(MotionParam::kDefaultG20)) {
     c.parameters.write(1300, 3, 0, 1.0, false);  // N1300.G20: programs read what is in force
   }
   for (const std::string_view name : c.parameters.notedNames()) {
-    c.warn("nct-noted", fmt::format("parameter {} has no effect in the simulation", name), {},
-           Severity::kNote);
+    c.warn("noted", fmt::format("parameter {} has no effect in the simulation", name), {}, Severity::kNote);
   }
   c.systems.update(c.parameters);
-  if (!c.systems.fault().empty()) return c.fail("nct-parameter", c.systems.fault());
+  if (!c.systems.fault().empty()) return c.fail("parameter", c.systems.fault());
   if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
-    return c.fail("nct-settings", "rapid rates must be above 0 and the start position finite");
+    return c.fail("settings", "rapid rates must be above 0 and the start position finite");
   }
   if (!(settings.bell_time_s >= 0.0 && settings.bell_time_s <= 100.0)) {
-    return c.fail("nct-settings", "the time of the acceleration's rise must be 0 to 100 s");
+    return c.fail("settings", "the time of the acceleration's rise must be 0 to 100 s");
   }
-  if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("nct-settings", bad);
-  if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty())
-    return c.fail("nct-settings", bad);
+  if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("settings", bad);
+  if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
   if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
-  if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("nct-settings", bad);
+  if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
   powerOn(c);
   configureFeeds(c);
   if (!c.stages.zone.configure()) return false;
@@ -111,7 +109,7 @@ bool NctControl::loadMain() {
   const ProgramStore::Loaded main = c.programs.main();
   if (main.text == nullptr) {
     const bool missing = main.failure == ProgramStore::Failure::kNotFound;
-    return c.fail(missing ? "nct-2132" : "nct-encoding", main.message);
+    return c.fail(missing ? DiagnosticName(SharedAlarm::kFileNotFound) : "encoding", main.message);
   }
   CallFrame frame;
   frame.text = main.text;
@@ -120,7 +118,7 @@ bool NctControl::loadMain() {
   bool any = false;
   for (const auto line : frame.text->lines())
     any = any || line.find_first_not_of(" \t%") != std::string_view::npos;
-  if (!any) return c.fail("nct-empty", frame.text->name() + ": the program is empty");
+  if (!any) return c.fail("empty", frame.text->name() + ": the program is empty");
   return true;
 }
 
@@ -173,7 +171,7 @@ NctControl::Go NctControl::step() {
   const bool now = block.skip > 0 && !c.parameters.flag(MotionParam::kSkipKeepsLookAhead);
   if (now && !c.flushPipe()) return alarm();
   if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
-  bool good = lexed || c.fail(lexer_.error().code, lexer_.error().message, lexer_.error().columns);
+  bool good = lexed || c.fail(lexer_.error());
   if (good && block.percent) {
     if (!tape_.onlyHeaderAbove(c.calls)) return endOfText();
     noteTapeName(c);
@@ -204,12 +202,12 @@ NctControl::Go NctControl::endOfText() {
     return commentLeftOpen(commentOpenAtEnd(text.lines(), 0));
   }
   if (c.calls.depth() == 1) {
-    c.warn("nct-no-end", "the program ends without M2 or M30: is the file cut short?");
+    c.warn("no-end", "the program ends without M2 or M30: is the file cut short?");
     return finish("end of text", ProgramEnd::kEndOfProgram);
   }
   if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
   if (no_return_told_.insert(c.calls.top().file).second)
-    c.warn("nct-no-m99", "the subprogram ends without M99: taken as M99");
+    c.warn("no-m99", "the subprogram ends without M99: taken as M99");
   c.block.clear();
   return returnFrom(FlowRequest{.code = mcode::kReturn});
 }
@@ -219,8 +217,7 @@ NctControl::Go NctControl::commentLeftOpen(const std::optional<OpenComment>& ope
   NctContext& c = context_;
   const std::size_t lines = c.calls.top().text->lines().size();
   c.setBlock(open ? open->line : std::max<std::size_t>(lines, 1) - 1, c.block.number);
-  c.fail("nct-open-comment", "the text ends inside a comment: ')' is missing",
-         open ? open->columns : Columns{});
+  c.fail("open-comment", "the text ends inside a comment: ')' is missing", open ? open->columns : Columns{});
   return stopAtAlarm();
 }
 

@@ -50,17 +50,17 @@ bool refuseParameter(NctContext& c, ParamStatus status, std::int64_t number) {
     case ParamStatus::kOk:
       return true;
     case ParamStatus::kUnknown:
-      return c.alarm(2002, *c.word('N'), "the simulation knows no such parameter");
+      return c.alarm(SharedAlarm::kOutOfRange, *c.word('N'), "the simulation knows no such parameter");
     case ParamStatus::kNeedsBit:
-      return c.alarm(2004, "Q", "the parameter consists of bits");
+      return c.alarm(SharedAlarm::kMissingData, "Q", "the parameter consists of bits");
     case ParamStatus::kNeedsIndex:
-      return c.alarm(2004, "P", "the parameter belongs to an axis or a spindle");
+      return c.alarm(SharedAlarm::kMissingData, "P", "the parameter belongs to an axis or a spindle");
     case ParamStatus::kBadIndex:
-      return c.alarm(2002, *c.word('P'), "there is no such channel, axis or spindle");
+      return c.alarm(SharedAlarm::kOutOfRange, *c.word('P'), "there is no such channel, axis or spindle");
     case ParamStatus::kOutOfRange:
-      return c.alarm(2002, *c.word('R'), "beyond the limits of the parameter");
+      return c.alarm(SharedAlarm::kOutOfRange, *c.word('R'), "beyond the limits of the parameter");
     case ParamStatus::kRestart:
-      return c.alarm(2193, fmt::format("N{:04}", number));
+      return c.alarm(SharedAlarm::kParameterLocked, fmt::format("N{:04}", number));
   }
   return false;
 }
@@ -68,13 +68,14 @@ bool refuseParameter(NctContext& c, ParamStatus status, std::int64_t number) {
 /// A block between G10 L52 and G11: N number, P channel, axis or spindle, Q bit, R value.
 bool parameterBlock(NctContext& c) {
   for (const Word& w : c.block.words) {
-    if (!AddressSet("NPQR").has(w.address)) return c.alarm(2017, w, "in parameter input (G10 L52)");
+    if (!AddressSet("NPQR").has(w.address))
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "in parameter input (G10 L52)");
   }
   const Word* n = c.word('N');
   const Word* r = c.word('R');
   std::int64_t number = 0, index = 0, bit = 0;
-  if (n == nullptr) return c.alarm(2004, "N", "the number of the parameter");
-  if (r == nullptr) return c.alarm(2004, "R", "the value of the parameter");
+  if (n == nullptr) return c.alarm(SharedAlarm::kMissingData, "N", "the number of the parameter");
+  if (r == nullptr) return c.alarm(SharedAlarm::kMissingData, "R", "the value of the parameter");
   if (!dataWord(c, 'N', 0, 9999, 0, number) || !dataWord(c, 'P', 1, kParamAxes, 0, index) ||
       !dataWord(c, 'Q', 0, 7, kWholeParam, bit)) {
     return false;
@@ -92,7 +93,8 @@ bool openParameterInput(NctContext& c, BlockPlan&) {
 }
 
 bool planParameterInput(NctContext& c, BlockPlan& plan) {
-  if (c.block.words.size() > 2) return c.alarm(2017, c.block.words[2], "G10 L52 stands alone");
+  if (c.block.words.size() > 2)
+    return c.alarm(SharedAlarm::kIllegalAddress, c.block.words[2], "G10 L52 stands alone");
   plan.perform = openParameterInput;
   return true;
 }
@@ -102,12 +104,12 @@ bool planParameterInput(NctContext& c, BlockPlan& plan) {
 bool planDataInput(NctContext& c, BlockPlan& plan) {
   const Word* l = c.ownWord(plan, 'L');
   std::int64_t kind = 0;
-  if (l == nullptr) return c.alarm(2004, "L", "G10 needs L");
+  if (l == nullptr) return c.alarm(SharedAlarm::kMissingData, "L", "G10 needs L");
   if (!integerWord(c, *l, 0, 9999, kind)) return false;
   const auto form =
       std::find_if(kForms.begin(), kForms.end(), [&](const InputForm& f) { return f.l == kind; });
   if (form != kForms.end()) return form->plan(c, plan);
-  return c.alarm(2123, fmt::format("G10 L{} is not supported", kind), {}, l->columns);
+  return c.alarm(SharedAlarm::kNotImplemented, fmt::format("G10 L{} is not supported", kind), {}, l->columns);
 }
 
 bool planEndOfData(NctContext&, BlockPlan&) { return true; }
@@ -115,8 +117,9 @@ bool planEndOfData(NctContext&, BlockPlan&) { return true; }
 bool dataBlock(NctContext& c) {
   const Word* g = c.word('G');
   if (g == nullptr) return c.data_input(c);
-  if (g->value != 11.0) return c.alarm(2017, *g, "data input is open: G11 ends it");
-  if (c.block.words.size() > 1) return c.alarm(2017, c.block.words[1], "G11 stands alone");
+  if (g->value != 11.0) return c.alarm(SharedAlarm::kIllegalAddress, *g, "data input is open: G11 ends it");
+  if (c.block.words.size() > 1)
+    return c.alarm(SharedAlarm::kIllegalAddress, c.block.words[1], "G11 stands alone");
   c.data_input = nullptr;
   return true;
 }

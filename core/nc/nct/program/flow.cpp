@@ -64,7 +64,7 @@ NctControl::Go NctControl::finish(const std::string& code, ProgramEnd end) {
   if (!c.pipe.flush(FlushReason::kEnd) || !endOutput(c)) return stopAtAlarm();
   c.state.automatic = {};
   if (c.settings.until && !until_hit_) {
-    c.fail("nct-until", "the program ends here; the block to stop after was not reached");
+    c.fail("until", "the program ends here; the block to stop after was not reached");
     return stopAtAlarm();
   }
   c.emitter.event(event::End{code}, 0.0, c.here());
@@ -116,10 +116,11 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
   NctContext& c = context_;
   const Word* p = c.word('P');
   if (c.block.has_file) {
-    if (p) return c.alarm(2017, *p, fmt::format("{} takes P or a file name", code));
+    if (p) return c.alarm(SharedAlarm::kIllegalAddress, *p, fmt::format("{} takes P or a file name", code));
     const std::string path = callPath(c.block.file_arg);
     if (path.empty() || c.block.file_arg.size() > kMaxFileArgument) {
-      return c.fail("nct-2002", fmt::format("file name data out of range: {} takes 1 to 60 characters", code),
+      return c.fail(SharedAlarm::kOutOfRange,
+                    fmt::format("file name data out of range: {} takes 1 to 60 characters", code),
                     c.block.file_columns);
     }
     return takeProgram(c, c.programs.byPath(caller, path), frame);
@@ -127,7 +128,7 @@ bool NctControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
   std::int64_t number = 0;
   if (p == nullptr) {
     const bool by_file = code[0] == 'M' || code == "G65";
-    return c.alarm(2004, "P",
+    return c.alarm(SharedAlarm::kMissingData, "P",
                    fmt::format("{} needs a program number{}", code, by_file ? " or a file name" : ""));
   }
   if (!integerWord(c, *p, 1, 99999999, number)) return false;
@@ -153,7 +154,8 @@ bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
   NctContext& c = context_;
   const SourceText::Label label = frame.text->label(block, from);
   if (label.line_index == SourceText::kNoLabel) {
-    return c.fail("nct-2125", fmt::format("block N{} not found: {}", block, frame.text->name()));
+    return c.fail(SharedAlarm::kBlockNotFound,
+                  fmt::format("block N{} not found: {}", block, frame.text->name()));
   }
   if (label.repeated) warnRepeated(frame, block, from);
   frame.line = static_cast<std::size_t>(label.line_index);
@@ -164,8 +166,8 @@ bool NctControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
 void NctControl::warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from) {
   NctContext& c = context_;
   if (!repeated_told_.insert({frame.file, block}).second) return;
-  c.warn("nct-repeated-n", fmt::format("block number N{} occurs more than once: the {} one is taken", block,
-                                       from == 0 ? "first" : "next"));
+  c.warn("repeated-n", fmt::format("block number N{} occurs more than once: the {} one is taken", block,
+                                   from == 0 ? "first" : "next"));
 }
 
 /// P and L of M99.
@@ -175,7 +177,8 @@ bool NctControl::returnWords(FlowRequest& request) {
   const Word* l = c.word('L');
   if (p && !integerWord(c, *p, 1, 99999999, request.block)) return false;
   if (l && !integerWord(c, *l, 0, 99999999, request.count)) return false;
-  if (l && c.calls.depth() == 1) return c.alarm(2017, *l, "M99 of a main program takes P only");
+  if (l && c.calls.depth() == 1)
+    return c.alarm(SharedAlarm::kIllegalAddress, *l, "M99 of a main program takes P only");
   return true;
 }
 
@@ -184,8 +187,7 @@ NctControl::Go NctControl::returnFrom(const FlowRequest& request) {
   CallFrame& frame = c.calls.top();
   if (c.calls.depth() == 1) {
     if (request.block >= 0) return jump(frame, request.block) ? Go::kOn : stopAtAlarm();
-    c.warn("nct-main-m99", "M99 in the main program starts it again: one pass is simulated", {},
-           Severity::kNote);
+    c.warn("main-m99", "M99 in the main program starts it again: one pass is simulated", {}, Severity::kNote);
     return finish("M99", ProgramEnd::kEndOfProgram);
   }
   if (request.count >= 0) frame.total = request.count + 1;

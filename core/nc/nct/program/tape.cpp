@@ -83,9 +83,9 @@ void TapeFrames::skipLeader(NctContext& c, CallFrame& frame) {
   c.setBlock(block == leader ? first : block, -1);
   c.block.clear();
   if (block == leader) {
-    c.warn("nct-leader", "text in front of the first % is skipped, up to there", {}, Severity::kNote);
+    c.warn("leader", "text in front of the first % is skipped, up to there", {}, Severity::kNote);
   } else {
-    c.warn("nct-leader", "blocks in front of the first % are skipped: the program begins behind it");
+    c.warn("leader", "blocks in front of the first % are skipped: the program begins behind it");
   }
 }
 
@@ -101,7 +101,7 @@ bool TapeFrames::onlyHeaderAbove(const CallStack& calls) {
 bool TapeFrames::checkHeader(NctContext& c) {
   // Only in front of everything else: a second O word would start another program in the same text.
   if (c.block.program < 0 || onlyHeaderAbove(c.calls)) return true;
-  return c.alarm(2017, "O",
+  return c.alarm(SharedAlarm::kIllegalAddress, "O",
                  "a program number stands at the head of the text; subprograms are files of their own",
                  c.block.program_columns);
 }
@@ -112,7 +112,7 @@ void noteTapeName(NctContext& c) {
   const bool name =
       begin != std::string_view::npos && text[begin] != '(' && text[begin] != '%' && c.block.program < 0;
   if (!name || !c.firstTime(fmt::format("tape name {}", c.calls.here().file))) return;
-  c.warn("nct-tape-name", fmt::format("{} behind % is a name and skipped", trimmed(text.substr(begin))),
+  c.warn("tape-name", fmt::format("{} behind % is a name and skipped", trimmed(text.substr(begin))),
          {static_cast<int>(begin) + 1, static_cast<int>(text.size()) + 1}, Severity::kNote);
 }
 

@@ -59,14 +59,15 @@ bool fitToRange(NctContext& c, BlockPlan& plan, int index, double& rpm) {
   };
   const int count = static_cast<int>(ranges.size());
   int gear = rangeCode(plan);
-  if (gear > count) return c.alarm(2002, "M", fmt::format("the spindle has {} ranges", count));
+  if (gear > count)
+    return c.alarm(SharedAlarm::kOutOfRange, "M", fmt::format("the spindle has {} ranges", count));
   const int kept = recordOf(c, index).gear;
   if (gear == 0 && kept > 0 && holds(kept)) gear = kept;
   int fitting = 0;
   for (int k = 1; k <= count && gear == 0; ++k) {
     if (!holds(k)) continue;
     if (fitting > 0) {
-      return c.fail("nct-spindle-range",
+      return c.fail("spindle-range",
                     fmt::format("S{} lies in the ranges {} and {}: M{} or M{} must choose", rpm, fitting, k,
                                 fitting - 1 + mcode::kFirstRange, k - 1 + mcode::kFirstRange));
     }
@@ -83,7 +84,7 @@ bool fitToRange(NctContext& c, BlockPlan& plan, int index, double& rpm) {
   const SpindleRange& range = ranges[static_cast<std::size_t>(gear - 1)];
   const double kept_inside = std::clamp(rpm, range.min, range.max);
   if (kept_inside != rpm) {
-    c.warn("nct-spindle-range",
+    c.warn("spindle-range",
            fmt::format("S{} lies outside range {}: the spindle turns with {}", rpm, gear, kept_inside));
   }
   rpm = kept_inside;
@@ -99,8 +100,11 @@ bool takesNumber(const BlockPlan& plan) {
 }
 
 bool planSpeed(NctContext& c, BlockPlan& plan, const Word& s, int index) {
-  if (s.incremental) return c.alarm(2017, wordName(s, c.block), "a speed has no operator I", s.columns);
-  if (!(s.value >= 0.0 && s.value <= kMaxSpeed)) return c.alarm(2002, s, "from 0 to 99999999");
+  if (s.incremental)
+    return c.alarm(SharedAlarm::kIllegalAddress, wordName(s, c.block), "a speed has no operator I",
+                   s.columns);
+  if (!(s.value >= 0.0 && s.value <= kMaxSpeed))
+    return c.alarm(SharedAlarm::kOutOfRange, s, "from 0 to 99999999");
   double rpm = s.value;
   if (!fitToRange(c, plan, index, rpm)) return false;
   plan.spindle.index = index;
@@ -117,12 +121,13 @@ bool planPosition(NctContext& c, BlockPlan& plan, const Word& w) {
   const int index = w.spindle - kMaxSpindles;
   const SpindleRecord& record = recordOf(c, index);
   if (!c.parameters.flag(MachineParam::kSpindleIndexes, numberOf(c, index))) {
-    return c.alarm(2138, wordName(w, c.block));
+    return c.alarm(SharedAlarm::kIndexing, wordName(w, c.block));
   }
-  if (plan.spindle.turns) return c.alarm(2017, wordName(w, c.block), "one spindle in a block", w.columns);
+  if (plan.spindle.turns)
+    return c.alarm(SharedAlarm::kIllegalAddress, wordName(w, c.block), "one spindle in a block", w.columns);
   const bool step = w.incremental || plan.next.incremental();
   if (record.mode != SpindleMode::kOriented && !(step && record.mode == SpindleMode::kLoop)) {
-    return c.failWord("nct-spindle-loop",
+    return c.failWord("spindle-loop",
                       step ? "a spindle turns by steps only with its position loop closed: program M19 or "
                              "the code of N0823 before"
                            : "a spindle turns to an angle only behind its orientation: program M19 before",
@@ -149,7 +154,7 @@ bool checkSpindleAxes(NctContext& c) {
     const int axis = c.axes.find(settingsOf(c, k).axis);
     const Word* w = axis < 0 ? nullptr : c.block.findAxis(axis);
     if (w == nullptr || recordOf(c, k).mode == SpindleMode::kAxis) continue;
-    return c.failWord("nct-spindle-axis",
+    return c.failWord("spindle-axis",
                       fmt::format("axis {} is spindle {} now: program its change to an axis (M{}) before",
                                   settingsOf(c, k).axis, numberOf(c, k), settingsOf(c, k).axis_code),
                       *w);
@@ -210,7 +215,8 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
       } else if (w.spindle >= kMaxSpindles) {
         if (!planPosition(c, plan, w)) return false;
       } else if (s != nullptr || plan.spindle.index >= 0) {
-        return c.alarm(2017, wordName(w, c.block), "one spindle in a block", w.columns);
+        return c.alarm(SharedAlarm::kIllegalAddress, wordName(w, c.block), "one spindle in a block",
+                       w.columns);
       } else if (!planSpeed(c, plan, w, w.spindle)) {
         return false;
       }
@@ -220,7 +226,8 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
   if (s == nullptr) return planSurfaceSpeed(c, plan);
   const GCode* one_shot = plan.by_group[kOneShot];
   if (one_shot && one_shot->code10 == gcode::kSetPosition) {
-    if (!(s->value >= 0.0 && s->value <= kMaxSpeed)) return c.alarm(2002, *s, "from 0 to 99999999");
+    if (!(s->value >= 0.0 && s->value <= kMaxSpeed))
+      return c.alarm(SharedAlarm::kOutOfRange, *s, "from 0 to 99999999");
     plan.next.speed_limit = s->value;
     return planSurfaceSpeed(c, plan);
   }
@@ -232,8 +239,9 @@ bool planSpindle(NctContext& c, BlockPlan& plan) {
     std::int64_t number = 0;
     if (!integerWord(c, *p, 1, kMaxSpindles, number)) return false;
     index = indexOf(c, number);
-    if (index < 0) return c.alarm(2002, *p, "there is no such spindle");
-    if (c.anyAxisWord()) return c.alarm(2017, *p, "S with P stands without axis words");
+    if (index < 0) return c.alarm(SharedAlarm::kOutOfRange, *p, "there is no such spindle");
+    if (c.anyAxisWord())
+      return c.alarm(SharedAlarm::kIllegalAddress, *p, "S with P stands without axis words");
     plan.claimed.add('P');
   }
   return planSpeed(c, plan, *s, index) && planSurfaceSpeed(c, plan);
@@ -332,7 +340,7 @@ bool indexBy(NctContext& c, int m) {
   const int index = c.registers.spindles.programmed;
   const SpindleMode mode = recordOf(c, index).mode;
   if (mode != SpindleMode::kOriented && mode != SpindleMode::kLoop) {
-    return c.fail("nct-spindle-loop",
+    return c.fail("spindle-loop",
                   "a spindle is indexed only with its position loop closed: program M19 before");
   }
   const int number = numberOf(c, index);
@@ -361,7 +369,7 @@ bool synchronise(NctContext& c, bool shifted) {
   Spindles& all = c.registers.spindles;
   const int slave = all.programmed, master = all.main;
   if (slave == master)
-    return c.fail("nct-spindle-sync", "the main spindle cannot follow itself: name another one");
+    return c.fail("spindle-sync", "the main spindle cannot follow itself: name another one");
   SpindleRecord& record = recordOf(c, slave);
   double rpm = c.state.spindle_rpm;
   for (const int k : {slave, master}) {
@@ -421,7 +429,7 @@ bool spindleFunction(NctContext& c, const BlockPlan& plan, const MFunction& foun
   }
   if (m == mcode::kOrient) {
     if (!c.parameters.flag(MachineParam::kSpindleOrients, numberOf(c, index))) {
-      return c.alarm(2137, "", "the spindle has no orientation (N0607.ORI = 0)");
+      return c.alarm(SharedAlarm::kOrientation, "", "the spindle has no orientation (N0607.ORI = 0)");
     }
     return closeLoop(c, index, true);
   }

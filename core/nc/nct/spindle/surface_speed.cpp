@@ -63,7 +63,7 @@ double surfaceMeanRpm(NctContext& c, const BlockPlan& plan) {
   const double nearest = from * to <= 0.0 ? 0.0 : std::min(std::abs(from), std::abs(to));
   if (bounds.high == kNoTopSpeed && nearest * kNoTopSpeed <= product) {
     c.warnOnce(
-        "surface speed without limit", "nct-surface-speed",
+        "surface speed without limit", "surface-speed",
         "G96 to the axis without a limit of the spindle's speed: speed and time there are those of no real "
         "machine; give G92 S in the program or the ranges of [[machine.spindle]]");
   }
@@ -79,17 +79,18 @@ bool planSurfaceSpeed(NctContext& c, BlockPlan& plan) {
     std::int64_t number = 0;
     if (!integerWord(c, *p, 1, 32, number)) return false;
     const int axis = c.axes.byNumber(static_cast<int>(number));
-    if (axis < 0 || c.axes.at(axis).rotary()) return c.alarm(2002, *p, "the number of a linear axis");
+    if (axis < 0 || c.axes.at(axis).rotary())
+      return c.alarm(SharedAlarm::kOutOfRange, *p, "the number of a linear axis");
     next.surface_axis = axis;
   }
   const GCode* one_shot = plan.by_group[kOneShot];
   const bool limit = one_shot != nullptr && one_shot->code10 == gcode::kSetPosition;
   if (const Word* s = c.word('S'); s && !limit) {
     if (!(s->value > 0.0 && s->value <= 1e6))
-      return c.alarm(2002, *s, "surface speed: above 0, up to 1000000");
+      return c.alarm(SharedAlarm::kOutOfRange, *s, "surface speed: above 0, up to 1000000");
     next.surface_speed = s->value;
   }
-  if (next.surface_speed <= 0.0) return c.alarm(2004, "S", "G96 needs a surface speed");
+  if (next.surface_speed <= 0.0) return c.alarm(SharedAlarm::kMissingData, "S", "G96 needs a surface speed");
   if (!surfaceSpeedRuns(c, plan)) return true;
   const double rpm = surfaceRpm(c, next, plan.start);
   plan.spindle_changed = rpm != c.state.spindle_rpm;

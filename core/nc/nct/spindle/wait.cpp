@@ -16,7 +16,7 @@ bool channelsOf(NctContext& c, const Word& p, ChannelSet& whom) {
   for (; digits > 0; digits /= 10) {
     const auto number = static_cast<int>(digits % 10);
     if (number < 1 || number > kMaxChannels || whom.has(number))
-      return c.alarm(2002, p, "each digit is a channel, 1 to 8, and stands there once");
+      return c.alarm(SharedAlarm::kOutOfRange, p, "each digit is a channel, 1 to 8, and stands there once");
     whom.add(number);
   }
   return true;
@@ -26,12 +26,11 @@ bool checkChannels(NctContext& c, const Word& p, const WaitingPoint& at) {
   const bool known = !c.channels.empty() || c.settings.channel > 0;
   if (known && !at.whom.has(c.channel())) {
     return c.failWord(
-        "nct-wait", fmt::format("{} in channel {}: P has to name the own channel too", at.text, c.channel()),
-        p);
+        "wait", fmt::format("{} in channel {}: P has to name the own channel too", at.text, c.channel()), p);
   }
   for (int number = 1; number <= kMaxChannels && !c.channels.empty(); ++number) {
     if (!at.whom.has(number) || c.channels.has(number)) continue;
-    return c.failWord("nct-wait", fmt::format("{}: the run has no channel {}", at.text, number), p);
+    return c.failWord("wait", fmt::format("{}: the run has no channel {}", at.text, number), p);
   }
   return true;
 }
@@ -41,16 +40,16 @@ bool checkChannels(NctContext& c, const Word& p, const WaitingPoint& at) {
 bool checkWaitCodes(NctContext& c) {
   const double low = c.parameters[ProgramParam::kWaitLow], high = c.parameters[ProgramParam::kWaitHigh];
   const bool good = low == 0.0 ? high == 0.0 : high >= low && high - low < kMostCodes;
-  return good || c.fail("nct-parameter", "N2201, N2202: first and last waiting code, at most 100 codes");
+  return good || c.fail("parameter", "N2201, N2202: first and last waiting code, at most 100 codes");
 }
 
 bool planWait(NctContext& c, BlockPlan& plan, const Word& m) {
   const Word* p = c.word('P');
   const auto code = static_cast<int>(m.value);
-  if (p == nullptr) return c.alarm(2004, "P", fmt::format("M{} needs the channels that meet", code));
+  if (p == nullptr)
+    return c.alarm(SharedAlarm::kMissingData, "P", fmt::format("M{} needs the channels that meet", code));
   if (c.block.words.size() > 2 || c.block.has_file) {
-    return c.failWord("nct-wait", fmt::format("the waiting code M{} and its P stand alone in a block", code),
-                      m);
+    return c.failWord("wait", fmt::format("the waiting code M{} and its P stand alone in a block", code), m);
   }
   WaitingPoint at;
   if (!channelsOf(c, *p, at.whom)) return false;
@@ -72,8 +71,7 @@ bool performWait(NctContext& c, const BlockPlan& plan) {
       fmt::format("M{} P{}", plan.wait_code, static_cast<std::int64_t>(c.word('P')->value));
   if (c.channels.empty()) {
     if (c.firstTime("wait")) {
-      c.warn("nct-wait", fmt::format("{}: one channel runs, it waits for no other", text), {},
-             Severity::kNote);
+      c.warn("wait", fmt::format("{}: one channel runs, it waits for no other", text), {}, Severity::kNote);
     }
     return true;
   }

@@ -36,18 +36,18 @@ std::string describe(CompError error) {
   return "cutter compensation: data out of range";
 }
 
-const char* codeOf(CompError error) {
+DiagnosticName nameOf(CompError error) {
   switch (error) {
     case CompError::kCancelInArc:
-      return "nct-2043";
+      return SharedAlarm::kCompEndInArc;
     case CompError::kNoIntersection:
-      return "nct-2047";
+      return SharedAlarm::kCompNoIntersection;
     case CompError::kInterference:
-      return "nct-2049";
+      return SharedAlarm::kCompInterference;
     case CompError::kBufferFull:
-      return "nct-2090";
+      return SharedAlarm::kCompBuffer;
     default:
-      return "nct-cutter-comp";
+      return "cutter-comp";
   }
 }
 
@@ -84,7 +84,8 @@ void CompStage::engage(const Vec3& start) {
   begin(policy, start);
 }
 
-void CompStage::report(Severity severity, const char* code, const std::string& message, std::uint64_t tag) {
+void CompStage::report(Severity severity, const DiagnosticName& code, const std::string& message,
+                       std::uint64_t tag) {
   const PathItem* item = waiting(tag);
   if (item != nullptr) return alarms_.sendLate(severity, code, message, item->source, item->record);
   if (severity == Severity::kError) {
@@ -95,11 +96,11 @@ void CompStage::report(Severity severity, const char* code, const std::string& m
 }
 
 void CompStage::note(const CompNote& told) {
-  report(Severity::kWarning, "nct-cutter-comp", describe(told.warning), told.tag);
+  report(Severity::kWarning, "cutter-comp", describe(told.warning), told.tag);
 }
 
 void CompStage::failed(const CompStatus& status) {
-  report(Severity::kError, codeOf(status.error), describe(status.error), status.tag);
+  report(Severity::kError, nameOf(status.error), describe(status.error), status.tag);
   recovery_.recover();
 }
 
@@ -120,7 +121,7 @@ bool CompStage::toTip(const CompPiece& piece, const PathItem& item, PathItem& ou
   const Vec2 tip = std::abs(item.offset) * Vec2(direction.y(), direction.x());
   const Vec2 before = std::exchange(tip_, tip);
   if (piece.is_arc && (before - tip).norm() > kSameCentre) {
-    report(Severity::kError, "nct-cutter-comp", "the tip code Q of D may not change in an arc", item.tag);
+    report(Severity::kError, "cutter-comp", "the tip code Q of D may not change in an arc", item.tag);
     recovery_.recover();
     return false;
   }

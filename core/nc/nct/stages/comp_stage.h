@@ -25,7 +25,7 @@ class CompStage final : public CompensationStage {
   void failed(const CompStatus& status) override;
   bool send(const CompPiece& piece, const PathItem& item, PathItem& out) override;
   bool toTip(const CompPiece& piece, const PathItem& item, PathItem& out);
-  void report(Severity severity, const char* code, const std::string& message, std::uint64_t tag);
+  void report(Severity severity, const DiagnosticName& code, const std::string& message, std::uint64_t tag);
 
   const NctParameters& parameters_;
   AlarmReporter& alarms_;

@@ -15,8 +15,7 @@ class ContourAlarms final : public ContourReport {
   ContourAlarms(AlarmReporter& alarms, StageRecovery& recovery) : alarms_(alarms), recovery_(recovery) {}
   bool contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
                     const PathItem& at) override {
-    const AlarmTable& table = nctAlarms();
-    alarms_.sendLate(Severity::kError, table.code(alarm), table.message(alarm, subject, detail), at.source,
+    alarms_.sendLate(Severity::kError, alarm, alarms_.table().message(alarm, subject, detail), at.source,
                      at.record);
     recovery_.recover();
     return false;

@@ -64,7 +64,7 @@ bool TransformStage::rebuildArc(PathItem& item, double radius, const Vec3& cente
   const double end_radius = (programmed.head<2>() - item.center.head<2>()).norm();
   const double turns = std::abs(item.sweep) / (2.0 * kPi);
   if (std::abs(radius - end_radius) > kSameRadius || turns > 1.0 + 1e-9) {
-    return alarms_.fail("nct-unequal-scaling",
+    return alarms_.fail("unequal-scaling",
                         "spirals and arcs of more than a turn cannot be scaled by unequal factors");
   }
   radius *= map_.radiusFactor(item.plane);
@@ -82,7 +82,7 @@ bool TransformStage::rebuildArc(PathItem& item, double radius, const Vec3& cente
   request.radius = turns > 0.5 ? -radius : radius;
   const ArcResolution arc = resolveArc(request);
   if (!arc.ok() || arc.no_motion) {
-    return alarms_.fail("nct-unequal-scaling",
+    return alarms_.fail("unequal-scaling",
                         "the scaled arc has no solution: its radius does not fit its ends");
   }
   item.center = {arc.arc.center.x(), arc.arc.center.y(), center.z()};

@@ -73,7 +73,7 @@ bool ZoneStage::addStroke() {
     const double high = side('+', SafetyParam::kStrokeAHigh, SafetyParam::kStrokeBHigh, kFar);
     const double low = side('-', SafetyParam::kStrokeALow, SafetyParam::kStrokeBLow, -kFar);
     if (low > high) {
-      return c_.alarms.fail("nct-parameter",
+      return c_.alarms.fail("parameter",
                             fmt::format("stroke of axis {}: its positive end {} is below its negative end {}",
                                         axis.name, high, low));
     }
@@ -101,7 +101,7 @@ bool ZoneStage::addSecond() {
     if (!p.flag(SafetyParam::kZone2Axis, n)) continue;
     const double low = p.value(SafetyParam::kZone2Low, n), high = p.value(SafetyParam::kZone2High, n);
     if (!(high > low)) {
-      return c_.alarms.fail("nct-parameter",
+      return c_.alarms.fail("parameter",
                             fmt::format("zone 2 of axis {}: N1006 must be above N1007", c_.axes.at(k).name));
     }
     boundZone(area.zone, k, low, high);
@@ -118,7 +118,7 @@ bool ZoneStage::addThird() {
     if (!p.flag(SafetyParam::kZone3Axis, n)) continue;
     const double low = p.value(SafetyParam::kZone3Low, n), high = p.value(SafetyParam::kZone3High, n);
     if (!(high > low)) {
-      return c_.alarms.fail("nct-parameter",
+      return c_.alarms.fail("parameter",
                             fmt::format("zone 3 of axis {}: N1008 must be above N1009", c_.axes.at(k).name));
     }
     boundZone(area.zone, k, low, high);
@@ -151,17 +151,20 @@ double ZoneStage::ceiling(int axis) const {
 std::optional<ZoneStage::Found> ZoneStage::before(const ZonePath& path) const {
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     const Watched& w = watched_[i];
+    const bool stroke = w.area == Area::kStroke;
     const auto hit = forbidden(w.zone, path.end(), path.count());
     if (!hit) continue;
-    const int above = w.area == Area::kStroke ? 2056 : 2058;
-    const int inner = w.area == Area::kSecond ? 2060 : 2061;
-    return Found{i, *hit, !w.zone.outside ? inner : hit->above ? above : above + 1};
+    const SharedAlarm above = stroke ? SharedAlarm::kEndAbove : SharedAlarm::kZoneEndAbove;
+    const SharedAlarm below = stroke ? SharedAlarm::kEndBelow : SharedAlarm::kZoneEndBelow;
+    const SharedAlarm inner =
+        w.area == Area::kSecond ? SharedAlarm::kZoneEndInside2 : SharedAlarm::kZoneEndInside3;
+    return Found{i, *hit, !w.zone.outside ? inner : hit->above ? above : below};
   }
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     const Watched& w = watched_[i];
     if (w.zone.outside) continue;
     if (const auto hit = firstForbidden(w.zone, path))
-      return Found{i, *hit, w.area == Area::kSecond ? 2062 : 2063};
+      return Found{i, *hit, w.area == Area::kSecond ? SharedAlarm::kZoneEntry2 : SharedAlarm::kZoneEntry3};
   }
   return std::nullopt;
 }
@@ -173,9 +176,11 @@ std::optional<ZoneStage::Found> ZoneStage::during(const ZonePath& path) const {
     if (w.only_before) continue;
     const auto hit = firstForbidden(w.zone, path);
     if (!hit || (first && first->hit.t <= hit->t)) continue;
-    const int above = w.area == Area::kStroke ? 3010 : 3040;
-    const int inner = w.area == Area::kSecond ? 3042 : 3043;
-    first = Found{i, *hit, !w.zone.outside ? inner : hit->above ? above : above + 1};
+    const bool stroke = w.area == Area::kStroke;
+    const SharedAlarm above = stroke ? SharedAlarm::kRanAbove : SharedAlarm::kZoneRanAbove;
+    const SharedAlarm below = stroke ? SharedAlarm::kRanBelow : SharedAlarm::kZoneRanBelow;
+    const SharedAlarm inner = w.area == Area::kSecond ? SharedAlarm::kZoneRan2 : SharedAlarm::kZoneRan3;
+    first = Found{i, *hit, !w.zone.outside ? inner : hit->above ? above : below};
   }
   return first;
 }
@@ -187,16 +192,17 @@ std::string ZoneStage::axisName(const ZoneHit& hit) const {
 /// The alarm, and with `moves` the motion up to it. Always false.
 bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, bool moves) {
   const Watched watched = watched_[found.watched];
-  const std::string message = alarmText(found.alarm, axisName(found.hit));
+  const std::string message = c_.alarms.table().message(found.alarm, axisName(found.hit));
+  const int number = c_.alarms.table().number(found.alarm);
   const int axis = found.hit.axis;
   if (watched.area == Area::kStroke) {
     const double limit = found.hit.above ? watched.zone.high[axis] : watched.zone.low[axis];
     const double end = path.end()[axis];
     const bool beyond = found.hit.above ? end > limit : end < limit;
-    c_.emitter.event(event::Overtravel{axisName(found.hit), beyond ? end : limit, limit, found.alarm}, 0.0,
+    c_.emitter.event(event::Overtravel{axisName(found.hit), beyond ? end : limit, limit, number}, 0.0,
                      item.source);
   } else {
-    c_.emitter.event(event::ForbiddenZone{watched.area == Area::kSecond ? 2 : 3, found.alarm, message}, 0.0,
+    c_.emitter.event(event::ForbiddenZone{watched.area == Area::kSecond ? 2 : 3, number, message}, 0.0,
                      item.source);
   }
   if (moves && found.hit.t > 0.0) {
@@ -207,10 +213,9 @@ bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, b
   }
   const SourceRef here = c_.calls.here();
   if (here.file == item.source.file && here.line == item.source.line && here.depth == item.source.depth) {
-    c_.alarms.fail(fmt::format("nct-{}", found.alarm), message);
+    c_.alarms.fail(found.alarm, message);
   } else {
-    c_.alarms.sendLate(Severity::kError, fmt::format("nct-{}", found.alarm), message, item.source,
-                       item.record);
+    c_.alarms.sendLate(Severity::kError, found.alarm, message, item.source, item.record);
   }
   watched_.erase(watched_.begin() + static_cast<std::ptrdiff_t>(found.watched));
   if (watched_.empty()) c_.pipe.unlink(*this);

@@ -50,7 +50,7 @@ class ZoneStage final : public PathStage {
   struct Found {
     std::size_t watched = 0;
     ZoneHit hit;
-    int alarm = 0;
+    SharedAlarm alarm = SharedAlarm::kCount;
   };
 
   bool addStroke();

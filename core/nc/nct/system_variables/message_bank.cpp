@@ -84,7 +84,7 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
 VariableStatus MessageBank::raise(int number, const std::string& text) {
   c_.flushPipe();  // the program is carried out up to the block before
   const std::string detail = text.empty() ? "alarm of the program" : text;
-  c_.fail(fmt::format("nct-{}", 4000 + number), fmt::format("{} ({})", detail, shown(4000 + number)));
+  c_.alarms.raise(4000 + number, fmt::format("{} ({})", detail, shown(4000 + number)));
   c_.summary.end = ProgramEnd::kAlarm;
   return VariableStatus::kReported;
 }

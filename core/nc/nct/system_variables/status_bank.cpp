@@ -218,7 +218,7 @@ VariableStatus StatusBank::write(int number, const Value& value) {
 
 void StatusBank::tellPallets() {
   if (!c_.firstTime("pallets")) return;
-  c_.warn("nct-noted", "there are no pallets in the simulation: their data are vacant", {}, Severity::kNote);
+  c_.warn("noted", "there are no pallets in the simulation: their data are vacant", {}, Severity::kNote);
 }
 
 void countPart(NctContext& c, int m) {

@@ -24,14 +24,14 @@ bool performOffset(NctContext& c, BlockPlan& plan) {
 OffsetChange* beginChange(NctContext& c, BlockPlan& plan, AddressSet allowed) {
   for (const Word& w : c.block.words) {
     if (AddressSet("XYZUVWIJKRQ").without(allowed).has(w.address) || (w.axis > 2)) {
-      c.alarm(2017, w, "in this form of G10");
+      c.alarm(SharedAlarm::kIllegalAddress, w, "in this form of G10");
       return nullptr;
     }
   }
   const Word* p = c.ownWord(plan, 'P');
   std::int64_t row = 0;
   if (p == nullptr) {
-    c.alarm(2004, "P", "G10 needs P");
+    c.alarm(SharedAlarm::kMissingData, "P", "G10 needs P");
     return nullptr;
   }
   if (!integerWord(c, *p, 1, static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]), row)) {
@@ -56,7 +56,7 @@ bool planOneCell(NctContext& c, BlockPlan& plan, OffsetColumn column, bool wear)
   OffsetChange* change = beginChange(c, plan, "R");
   if (change == nullptr) return false;
   const Word* r = c.word('R');
-  if (r == nullptr) return c.alarm(2004, "R", "the value of the offset");
+  if (r == nullptr) return c.alarm(SharedAlarm::kMissingData, "R", "the value of the offset");
   change->wear = wear;
   addCell(c, plan, *change, column, *r);
   return true;
@@ -75,7 +75,8 @@ bool planMillingOffset(NctContext& c, BlockPlan& plan) {
 bool planTurningOffset(NctContext& c, BlockPlan& plan) {
   const Word* l = c.word('L');
   if (!c.parameters.flag(DataParam::kTurningOffsets)) {
-    return c.alarm(2123, {}, "G10 L200 to L203 need turning columns (N1416.TOL)", l->columns);
+    return c.alarm(SharedAlarm::kNotImplemented, {}, "G10 L200 to L203 need turning columns (N1416.TOL)",
+                   l->columns);
   }
   const int form = static_cast<int>(l->value) - 200;
   const bool wear = form % 2 == 0;
@@ -95,13 +96,14 @@ bool planTurningOffset(NctContext& c, BlockPlan& plan) {
     if (!integerWord(c, *q, 0, 9, tip)) return false;
     change->tip = static_cast<int>(tip);
   }
-  if (change->count == 0 && change->tip < 0) return c.alarm(2004, "", "G10 L200, L201 need X, Y, Z, R or Q");
+  if (change->count == 0 && change->tip < 0)
+    return c.alarm(SharedAlarm::kMissingData, "", "G10 L200, L201 need X, Y, Z, R or Q");
   return true;
 }
 
 bool planTurningLength(NctContext& c, BlockPlan& plan) {
   if (!c.parameters.flag(DataParam::kTurningOffsets)) {
-    return c.alarm(2123, "G43.7", "there are no turning columns (N1416.TOL)");
+    return c.alarm(SharedAlarm::kNotImplemented, "G43.7", "there are no turning columns (N1416.TOL)");
   }
   NctState& next = plan.next;
   next.length = AxisPoint(next.h_turning[0], next.h_turning[1], next.h_value);

@@ -22,14 +22,15 @@ bool integer(NctContext& c, Address a, std::int64_t min, std::int64_t max, int& 
 }
 /// An integer that the block must have.
 bool neededInteger(NctContext& c, Address a, std::int64_t min, std::int64_t max, int& out) {
-  if (c.word(a) == nullptr) return c.alarm(2004, addressText(a), "in tool data");
+  if (c.word(a) == nullptr) return c.alarm(SharedAlarm::kMissingData, addressText(a), "in tool data");
   return integer(c, a, min, max, out);
 }
 
 bool number(NctContext& c, Address a, double max, double& out) {
   const Word* w = c.word(a);
   if (w == nullptr) return true;
-  if (!(w->value >= 0.0 && w->value <= max)) return c.alarm(2002, *w, fmt::format("from 0 to {}", max));
+  if (!(w->value >= 0.0 && w->value <= max))
+    return c.alarm(SharedAlarm::kOutOfRange, *w, fmt::format("from 0 to {}", max));
   out = w->value;
   return true;
 }
@@ -40,17 +41,18 @@ bool bits(NctContext& c, const Word& w, int count, unsigned& out) {
   unsigned value = 0;
   for (int k = 0; k < count && w.is_integer && left >= 0.0; ++k, left = std::floor(left / 10.0)) {
     const double digit = std::fmod(left, 10.0);
-    if (digit > 1.0) return c.alarm(2002, w, "digits 0 and 1");
+    if (digit > 1.0) return c.alarm(SharedAlarm::kOutOfRange, w, "digits 0 and 1");
     if (digit == 1.0) value |= 1u << k;
   }
-  if (!w.is_integer || left != 0.0) return c.alarm(2002, w, fmt::format("up to {} digits 0 and 1", count));
+  if (!w.is_integer || left != 0.0)
+    return c.alarm(SharedAlarm::kOutOfRange, w, fmt::format("up to {} digits 0 and 1", count));
   out = value;
   return true;
 }
 
 bool onlyWords(NctContext& c, AddressSet legal) {
   for (const Word& w : c.block.words) {
-    if (!legal.has(w.address)) return c.alarm(2017, w, "in tool data");
+    if (!legal.has(w.address)) return c.alarm(SharedAlarm::kIllegalAddress, w, "in tool data");
   }
   return true;
 }
@@ -63,7 +65,7 @@ bool userData(NctContext& c, ToolRow& row) {
   const Word* r = c.word('R');
   if (!integer(c, 'P', 0, static_cast<std::int64_t>(c.parameters[ToolParam::kUserColumns]), index))
     return false;
-  if (r == nullptr) return c.alarm(2004, "R", "the value of the column");
+  if (r == nullptr) return c.alarm(SharedAlarm::kMissingData, "R", "the value of the column");
   if (index == 0) return bits(c, *r, 8, row.user_bits);
   row.user[static_cast<std::size_t>(index - 1)] = r->value;
   return true;
@@ -91,10 +93,11 @@ bool rowBlock(NctContext& c) {
   ToolInput& input = c.registers.tool_input;
   ToolTables& tools = c.registers.tools();
   if (!onlyWords(c, "NTQABCLIHDJKSFPR")) return false;
-  if (c.word('R') != nullptr && c.word('P') == nullptr) return c.alarm(2004, "P", "the number of the column");
+  if (c.word('R') != nullptr && c.word('P') == nullptr)
+    return c.alarm(SharedAlarm::kMissingData, "P", "the number of the column");
   int row = input.row;
   if (!integer(c, 'N', 1, rowCount(c), row)) return false;
-  if (row == 0) return c.alarm(2004, "N", "the row of the tool table");
+  if (row == 0) return c.alarm(SharedAlarm::kMissingData, "N", "the row of the tool table");
   const bool opens = c.word('N') != nullptr;
   const ToolRow* old = std::as_const(tools).row(row);
   ToolRow data = old == nullptr || (opens && input.clears) ? ToolRow{} : *old;
@@ -119,7 +122,7 @@ bool placeBlock(NctContext& c) {
   if (!onlyWords(c, "NPR") || !neededInteger(c, 'N', 1, 91, magazine)) return false;
   const bool single = magazine >= 10;
   if (!(single ? magazine % 10 <= 1 : magazine <= 4)) {
-    return c.alarm(2002, *c.word('N'), "magazines are 1 to 4 and 10, 11, 20, 21, ... 91");
+    return c.alarm(SharedAlarm::kOutOfRange, *c.word('N'), "magazines are 1 to 4 and 10, 11, 20, 21, ... 91");
   }
   place.magazine = magazine;
   place.pocket = 1;
@@ -134,7 +137,8 @@ bool placeBlock(NctContext& c) {
 bool halfPockets(NctContext& c, Address a, int& out) {
   double value = 0.0;
   if (!number(c, a, 99.0, value)) return false;
-  if (std::floor(value) != value) return c.alarm(2002, *c.word(a), "half pockets are whole numbers");
+  if (std::floor(value) != value)
+    return c.alarm(SharedAlarm::kOutOfRange, *c.word(a), "half pockets are whole numbers");
   out = static_cast<int>(value);
   return true;
 }
@@ -185,12 +189,13 @@ bool planToolInput(NctContext& c, BlockPlan& plan) {
   const Word* p = c.ownWord(plan, 'P');
   std::int64_t l = 0, kind = 0;
   if (!integerWord(c, *c.word('L'), 0, 9999, l)) return false;
-  if (p == nullptr) return c.alarm(2004, "P", "which table G10 L75, L76, L77 fill");
+  if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "which table G10 L75, L76, L77 fill");
   if (!integerWord(c, *p, 0, 9999, kind)) return false;
   const InputForm* form = formOf(l, kind);
-  if (form == nullptr) return c.alarm(2002, *p, "L75 has P1, P2 and P3, L76 has P1, L77 has P6");
+  if (form == nullptr)
+    return c.alarm(SharedAlarm::kOutOfRange, *p, "L75 has P1, P2 and P3, L76 has P1, L77 has P6");
   if (c.block.words.size() > 3)
-    return c.alarm(2017, c.block.words[3], "tool data are opened by a block alone");
+    return c.alarm(SharedAlarm::kIllegalAddress, c.block.words[3], "tool data are opened by a block alone");
   plan.payload = ToolTableInput{form->p == 1, form->block};
   plan.perform = openToolInput;
   return true;

@@ -32,7 +32,7 @@ void countTime(NctContext& c) {
   const ToolRow* tool = std::as_const(c.registers.tools()).row(c.state.tool_row);
   if (tool == nullptr || !tool->has(ToolRow::kByTime)) return;
   if (c.registers.tools().use(c.state.tool_row, cut)) {
-    c.warn("nct-tool-life",
+    c.warn("tool-life",
            fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, c.state.tool_row),
            {}, Severity::kNote);
   }
@@ -42,9 +42,8 @@ void countUse(NctContext& c, int row) {
   const ToolRow* tool = std::as_const(c.registers.tools()).row(row);
   if (tool == nullptr || tool->has(ToolRow::kByTime)) return;
   if (c.registers.tools().use(row, 1.0)) {
-    c.warn("nct-tool-life",
-           fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, row), {},
-           Severity::kNote);
+    c.warn("tool-life", fmt::format("tool {} (row {}) will soon be at the end of its life", tool->type, row),
+           {}, Severity::kNote);
   }
 }
 
@@ -88,7 +87,7 @@ bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
     const int row = tools.at(place);
     const ToolRow* tool = tools.row(row);
     if (tool == nullptr) {
-      return c.alarm(2002, t,
+      return c.alarm(SharedAlarm::kOutOfRange, t,
                      fmt::format("magazine {} has no tool in pocket {}", place.magazine, place.pocket));
     }
     next.next_row = row;
@@ -101,7 +100,7 @@ bool planTool(NctContext& c, BlockPlan& plan, const Word& t) {
   countTime(c);
   const auto row = tools.select(type);
   if (!row) {
-    return c.failWord("nct-no-tool",
+    return c.failWord("no-tool",
                       fmt::format("no tool of type {} may be used: it is not in the tool management table, "
                                   "or all are expired or broken",
                                   type),
@@ -116,7 +115,7 @@ bool offsetRowOfTool(NctContext& c, const Word& w, std::int64_t& row) {
   if (code == 0 || !w.is_integer || w.value != static_cast<double>(code)) return true;
   const ToolRow* tool = std::as_const(c.registers.tools()).row(c.state.tool_row);
   if (tool == nullptr) {
-    return c.alarm(2002, w,
+    return c.alarm(SharedAlarm::kOutOfRange, w,
                    "it stands for the offset of the tool in the spindle, which tool management "
                    "does not know");
   }

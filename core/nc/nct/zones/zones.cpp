@@ -23,7 +23,7 @@ bool ownBlockOf(NctContext& c, std::string_view name, AddressSet words) {
   for (const Word& w : c.block.words) {
     if (w.address == 'G' && ++codes == 1) continue;
     if (!words.has(w.address) || w.axis >= kMainAxes) {
-      return c.failWord("nct-own-block", fmt::format("{} stands in a block of its own", name), w);
+      return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), w);
     }
   }
   return true;
@@ -44,11 +44,12 @@ bool planZoneOn(NctContext& c, BlockPlan& plan) {
   for (int k = 0; k < kMainAxes; ++k) {
     const Word* high = c.word("XYZ"[k]);
     const Word* low = c.word("IJK"[k]);
-    if (high && high->incremental) return c.alarm(2097, *high, "limits of G22 are machine coordinates");
+    if (high && high->incremental)
+      return c.alarm(SharedAlarm::kIncremental, *high, "limits of G22 are machine coordinates");
     boundZone(change.zone, k, low ? lengthOf(plan, *low) : -kNoLimit,
               high ? lengthOf(plan, *high) : kNoLimit);
     if (change.zone.low[k] > change.zone.high[k]) {
-      return c.alarm(2002, *high, "the positive limit of G22 is below the negative one");
+      return c.alarm(SharedAlarm::kOutOfRange, *high, "the positive limit of G22 is below the negative one");
     }
     point = point && change.zone.low[k] == change.zone.high[k];
   }
