@@ -112,18 +112,20 @@ class AlarmTable {
     std::string_view text;  ///< `{}` is the subject
   };
   /// `control`: its name stands in front of the codes of diagnostics, "nct" in "nct-2064". What has no row
-  /// has neither code nor text: for controls that do not use the rooms that refuse it.
+  /// goes by a name and a usual text.
   AlarmTable(std::string_view control, std::initializer_list<Row> rows);
 
   const std::string& code(SharedAlarm alarm) const { return codes_[static_cast<std::size_t>(alarm)]; }
   std::string code(const DiagnosticName& name) const;
-  /// The code of an alarm that a program raises by number.
+  /// The code of an alarm by its number, of three digits at least: "nct-4001".
   std::string code(int number) const;
   int number(SharedAlarm alarm) const { return rows_[static_cast<std::size_t>(alarm)].number; }
   /// "text of the manual: detail".
   std::string message(SharedAlarm alarm, std::string_view subject, std::string_view detail = {}) const;
 
  private:
+  void take(const Row& row);
+
   std::string control_;
   std::vector<Row> rows_;           ///< by SharedAlarm
   std::vector<std::string> codes_;  ///< the same
