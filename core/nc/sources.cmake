@@ -78,6 +78,7 @@ target_sources(proveout_core PRIVATE
   nc/wl4/macro/wl4_variables.cpp
   nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
+  nc/macro/formula_values.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp
   nc/macro/variables.cpp
