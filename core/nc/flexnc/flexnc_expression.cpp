@@ -18,7 +18,7 @@ namespace {
 
 char at(std::string_view text, std::size_t pos) { return pos < text.size() ? text[pos] : '\0'; }
 
-double angleOf(double degrees) { return degToRad(std::remainder(degrees, 360.0)); }
+double turnAngle(double degrees) { return degToRad(std::remainder(degrees, 360.0)); }
 
 constexpr int kFlexEndRank = -1, kFlexSumRank = 0, kFlexProductRank = 1;
 constexpr auto kFlexOperators = std::to_array<FormulaOperator>({
@@ -29,9 +29,9 @@ constexpr auto kFlexOperators = std::to_array<FormulaOperator>({
     {"/", kFlexProductRank, Operation::kDivide},
 });
 constexpr auto kFlexFunctions = std::to_array<FormulaFunction>({
-    {"SIN", [](double x, double& out) { return out = std::sin(angleOf(x)), Refusal(); }},
-    {"COS", [](double x, double& out) { return out = std::cos(angleOf(x)), Refusal(); }},
-    {"TAN", [](double x, double& out) { return out = std::tan(angleOf(x)), Refusal(); }},
+    {"SIN", [](double x, double& out) { return out = std::sin(turnAngle(x)), Refusal(); }},
+    {"COS", [](double x, double& out) { return out = std::cos(turnAngle(x)), Refusal(); }},
+    {"TAN", [](double x, double& out) { return out = std::tan(turnAngle(x)), Refusal(); }},
 });
 
 constexpr FormulaRules flexRules() {
