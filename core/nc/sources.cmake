@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/text/alarms.cpp
   nc/kinematics/axes.cpp
+  nc/flow/run_watch.cpp
   nc/limits/block_watch.cpp
   nc/limits/loop_budget.cpp
   nc/control/control_host.cpp
@@ -37,6 +38,7 @@ target_sources(proveout_core PRIVATE
   nc/stages/tool_change.cpp
   nc/wedm/wedm_block.cpp
   nc/wedm/wedm_chain.cpp
+  nc/wedm/wedm_context.cpp
   nc/wedm/wedm_contours.cpp
   nc/wedm/wedm_control.cpp
   nc/wedm/wedm_coverage.cpp
@@ -76,7 +78,6 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_table.cpp
   nc/wl4/cycles/wl4_thread.cpp
   nc/wl4/macro/wl4_variables.cpp
-  nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
   nc/macro/formula_values.cpp
   nc/macro/functions.cpp

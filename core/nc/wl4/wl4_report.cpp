@@ -17,7 +17,7 @@ Diagnostic Wl4Report::diagnosticAt(Severity severity, std::string code, std::str
   const SourceText* const text = levels_.empty() ? nullptr : &programs_.text(at.file);
   Diagnostic d = nc::diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
   for (std::size_t level = levels_.size(); level-- > 1 && at.line > 0;)
-    d.notes.push_back(calledFrom(*levels_[level - 1].program->text, levels_[level - 1].line + 1));
+    d.notes.push_back(calledFrom(*levels_[level - 1].program->text, levels_[level - 1].block + 1));
   return d;
 }
 

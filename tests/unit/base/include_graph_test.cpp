@@ -26,6 +26,8 @@ const std::vector<std::string> kFloors = {"core/base",
                                           "core/mesh",
                                           "core/path",
                                           "core/tool",
+                                          "core/nc/control",
+                                          "core/nc/limits",
                                           "core/nc",
                                           "core/nc/registry",
                                           "removal/grid",
@@ -160,6 +162,22 @@ TEST(IncludeGraph, FoldersIncludeWhatIsBelow) {
     for (const std::string& other : included)
       EXPECT_LE(floorOf(other), floorOf(file)) << file << ": " << other;
   }
+}
+
+/// The run loop stands between the limits of a run and the controls.
+TEST(IncludeGraph, TheRunLoopKnowsNoControl) {
+  const std::vector<std::string> below = {"core/base/", "core/nc/control/", "core/nc/limits/", "core/nc/text/",
+                                          "core/nc/flow/"};
+  std::size_t files = 0;
+  for (const auto& [file, included] : includes()) {
+    if (!file.starts_with("core/nc/flow/")) continue;
+    ++files;
+    for (const std::string& other : included) {
+      const auto isIn = [&](const std::string& folder) { return other.starts_with(folder); };
+      EXPECT_TRUE(std::any_of(below.begin(), below.end(), isIn)) << file << ": " << other;
+    }
+  }
+  EXPECT_GT(files, 2u);
 }
 
 TEST(IncludeGraph, KnotsOfRoomsAreSmall) {
