@@ -39,6 +39,9 @@ class FlowControl {
  public:
   virtual ~FlowControl() = default;
 
+  /// What must be done before the next block: opens a call that was put off (kCalls), or goes on with a block
+  /// that waited. kOn: nothing.
+  virtual Go due() { return Go::kOn; }
   /// The block in hand of the innermost program; sets its number.
   virtual Reading read() = 0;
   /// Counts the block, and looks for loops without an end. True: the run is over, the summary says how.
@@ -118,7 +121,9 @@ class RunLoop {
 
  private:
   Go push(Frame frame);
+  /// The next one of the innermost program, or the end of its text.
   Go block();
+  /// The innermost program returns: it is run again, or its caller goes on.
   Go returned();
   bool reachedUntil() const {
     const auto& until = settings_.until;
@@ -160,8 +165,9 @@ Go RunLoop<Frame>::returned() {
 
 template <class Frame>
 Go RunLoop<Frame>::advance() {
-  if (until_hit_ && frames_.size() == 1) return finish("until", ProgramEnd::kUntil);
-  Go go = block();
+  Go go = control_.due();
+  if (go == Go::kOn || go == Go::kCalls)
+    go = until_hit_ && frames_.size() == 1 ? finish("until", ProgramEnd::kUntil) : block();
   while (go == Go::kReturn) go = returned();
   if (go == Go::kOn) blockDone();
   return go == Go::kStop || go == Go::kWaits ? go : Go::kOn;

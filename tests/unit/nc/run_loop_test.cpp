@@ -49,6 +49,10 @@ class TestControl : private FlowControl {
     return static_cast<std::size_t>(std::atoi(block().c_str() + at));
   }
 
+  Go due() override {
+    if (later_.end == 0) return Go::kOn;
+    return loop_.call(std::exchange(later_, {}), 1);
+  }
   Reading read() override {
     frames_.back().number = static_cast<std::int64_t>(10 * frames_.back().block);
     if (block().empty()) return Reading::kEmpty;
@@ -68,6 +72,10 @@ class TestControl : private FlowControl {
       const Go go = loop_.call(blocksFrom(word(1), word(2)), static_cast<int>(word(3)));
       if (go == Go::kOn) note("never");
       return go;
+    }
+    if (block().starts_with("later")) {
+      later_ = blocksFrom(word(1), word(2));
+      return Go::kOn;
     }
     if (block() == "back") return Go::kReturn;
     if (block() == "end") return loop_.finish("end", ProgramEnd::kEndOfProgram);
@@ -106,6 +114,7 @@ class TestControl : private FlowControl {
   SourceText text_{"test", "test", "G1 X1\n"};
   InterpretSummary summary_;
   std::vector<FlowFrame> frames_;
+  FlowFrame later_;  ///< end 0: none
   std::string notes_;
   RunWatch watch_;
   RunLoop<FlowFrame> loop_{*this, frames_, summary_, settings_};
@@ -139,6 +148,12 @@ TEST(RunLoop, WaitsAndGoesOn) {
   while (control.advance() == Go::kOn) {
   }
   EXPECT_EQ(control.notes(), "< a20 b20 > behind end");
+}
+
+TEST(RunLoop, WhatIsDueComesBeforeTheNextBlock) {
+  TestControl control({"later 3 4", "a", "end", "b"});
+  EXPECT_EQ(control.run(), "< b20 > behind a10 end");
+  EXPECT_EQ(control.summary().blocks, 4u);
 }
 
 TEST(RunLoop, ErrorsStopTheRunWhenThereAreTooMany) {
