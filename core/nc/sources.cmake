@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/text/alarms.cpp
   nc/kinematics/axes.cpp
+  nc/flow/run_watch.cpp
   nc/limits/block_watch.cpp
   nc/limits/loop_budget.cpp
   nc/control/control_host.cpp
@@ -25,6 +26,7 @@ target_sources(proveout_core PRIVATE
   nc/stages/path_emitter.cpp
   nc/stages/path_emitter_curves.cpp
   nc/kinematics/program_transforms.cpp
+  nc/text/program_heads.cpp
   nc/text/program_likeness.cpp
   nc/control/program_source.cpp
   nc/stages/rapid_overlap_stage.cpp
@@ -37,6 +39,7 @@ target_sources(proveout_core PRIVATE
   nc/stages/tool_change.cpp
   nc/wedm/wedm_block.cpp
   nc/wedm/wedm_chain.cpp
+  nc/wedm/wedm_context.cpp
   nc/wedm/wedm_contours.cpp
   nc/wedm/wedm_control.cpp
   nc/wedm/wedm_coverage.cpp
@@ -76,23 +79,25 @@ target_sources(proveout_core PRIVATE
   nc/wl4/wl4_table.cpp
   nc/wl4/cycles/wl4_thread.cpp
   nc/wl4/macro/wl4_variables.cpp
-  nc/wl4/wl4_watch.cpp
   nc/macro/expression.cpp
+  nc/macro/formula_values.cpp
   nc/macro/functions.cpp
   nc/macro/loop_index.cpp
   nc/macro/variables.cpp
+  nc/nct/alarms.cpp
+  nc/nct/dialect.cpp
   nc/nct/nct_row.cpp
-  nc/nct/block/auxiliary.cpp
-  nc/nct/block/axis_words.cpp
-  nc/nct/context/origins.cpp
-  nc/nct/perform/perform.cpp
-  nc/nct/block/plan_block.cpp
-  nc/nct/context/sends.cpp
-  nc/nct/perform/unused_words.cpp
-  nc/nct/context/words.cpp
-  nc/nct/channels/channels.cpp
-  nc/nct/context/context.cpp
-  nc/nct/spindle/wait.cpp
+  nc/iso/block/auxiliary.cpp
+  nc/iso/block/axis_words.cpp
+  nc/iso/context/origins.cpp
+  nc/iso/perform/perform.cpp
+  nc/iso/block/plan_block.cpp
+  nc/iso/context/sends.cpp
+  nc/iso/perform/unused_words.cpp
+  nc/iso/context/words.cpp
+  nc/iso/channels/channels.cpp
+  nc/iso/context/context.cpp
+  nc/iso/spindle/wait.cpp
   nc/nct/coverage/coverage_rows.cpp
   nc/nct/coverage/open_rows.cpp
   nc/nct/coverage/rows_1.cpp
@@ -100,32 +105,32 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_3.cpp
   nc/nct/coverage/rows_4.cpp
   nc/nct/coverage/rows_5.cpp
-  nc/nct/cycles/cycles.cpp
-  nc/nct/cycles/pocket.cpp
-  nc/nct/cycles/taps.cpp
-  nc/nct/frames/frames.cpp
-  nc/nct/stages/transform_stage.cpp
-  nc/nct/frames/transforms.cpp
-  nc/nct/macro/arguments.cpp
-  nc/nct/macro/calls.cpp
-  nc/nct/model/environment.cpp
-  nc/nct/macro/interrupt.cpp
-  nc/nct/context/output.cpp
-  nc/nct/macro/statements.cpp
-  nc/nct/macro/subprogram_words.cpp
-  nc/nct/model/system_calls.cpp
-  nc/nct/motion/axis_setup.cpp
-  nc/nct/stages/comp_stage.cpp
-  nc/nct/motion/contour.cpp
-  nc/nct/motion/diameter.cpp
-  nc/nct/motion/feed.cpp
-  nc/nct/motion/measuring.cpp
-  nc/nct/motion/motion.cpp
-  nc/nct/motion/planes.cpp
-  nc/nct/motion/smooth.cpp
-  nc/nct/motion/thread.cpp
-  nc/nct/motion/virtual_plane.cpp
-  nc/nct/stages/virtual_stage.cpp
+  nc/iso/cycles/cycles.cpp
+  nc/iso/cycles/pocket.cpp
+  nc/iso/cycles/taps.cpp
+  nc/iso/frames/frames.cpp
+  nc/iso/stages/transform_stage.cpp
+  nc/iso/frames/transforms.cpp
+  nc/iso/macro/arguments.cpp
+  nc/iso/macro/calls.cpp
+  nc/iso/model/environment.cpp
+  nc/iso/macro/interrupt.cpp
+  nc/iso/context/output.cpp
+  nc/iso/macro/statements.cpp
+  nc/iso/macro/subprogram_words.cpp
+  nc/iso/model/system_calls.cpp
+  nc/iso/motion/axis_setup.cpp
+  nc/iso/stages/comp_stage.cpp
+  nc/iso/motion/contour.cpp
+  nc/iso/motion/diameter.cpp
+  nc/iso/motion/feed.cpp
+  nc/iso/motion/measuring.cpp
+  nc/iso/motion/motion.cpp
+  nc/iso/motion/planes.cpp
+  nc/iso/motion/smooth.cpp
+  nc/iso/motion/thread.cpp
+  nc/iso/motion/virtual_plane.cpp
+  nc/iso/stages/virtual_stage.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
@@ -135,35 +140,37 @@ target_sources(proveout_core PRIVATE
   nc/nct/parameters/machine.cpp
   nc/nct/parameters/macro.cpp
   nc/nct/parameters/motion.cpp
-  nc/nct/parameters/parameters.cpp
+  nc/iso/parameters/parameter_table.cpp
+  nc/iso/parameters/parameters.cpp
+  nc/nct/parameters/nct_parameters.cpp
   nc/nct/parameters/program.cpp
   nc/nct/parameters/safety.cpp
   nc/nct/parameters/spindle.cpp
   nc/nct/parameters/tools.cpp
-  nc/nct/model/alarms.cpp
-  nc/nct/model/call_stack.cpp
-  nc/nct/program/control.cpp
-  nc/nct/program/data_input.cpp
-  nc/nct/program/flow.cpp
-  nc/nct/model/program_store.cpp
-  nc/nct/program/reset.cpp
-  nc/nct/program/tape.cpp
-  nc/nct/spindle/spindle.cpp
-  nc/nct/spindle/surface_speed.cpp
-  nc/nct/system_variables/frame_bank.cpp
-  nc/nct/system_variables/message_bank.cpp
-  nc/nct/system_variables/modal_bank.cpp
-  nc/nct/system_variables/plc_bank.cpp
-  nc/nct/system_variables/position_bank.cpp
-  nc/nct/system_variables/status_bank.cpp
-  nc/nct/system_variables/system_variables.cpp
-  nc/nct/system_variables/tool_offset_bank.cpp
-  nc/nct/model/codes.cpp
+  nc/iso/model/alarm_reporter.cpp
+  nc/iso/model/call_stack.cpp
+  nc/iso/program/control.cpp
+  nc/iso/program/data_input.cpp
+  nc/iso/program/flow.cpp
+  nc/iso/model/program_store.cpp
+  nc/iso/program/reset.cpp
+  nc/iso/program/tape.cpp
+  nc/iso/spindle/spindle.cpp
+  nc/iso/spindle/surface_speed.cpp
+  nc/iso/system_variables/frame_bank.cpp
+  nc/iso/system_variables/message_bank.cpp
+  nc/iso/system_variables/modal_bank.cpp
+  nc/iso/system_variables/plc_bank.cpp
+  nc/iso/system_variables/position_bank.cpp
+  nc/iso/system_variables/status_bank.cpp
+  nc/iso/system_variables/all_banks.cpp
+  nc/iso/system_variables/tool_offset_bank.cpp
+  nc/iso/model/codes.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
   nc/nct/tables/data.cpp
   nc/nct/tables/frames.cpp
-  nc/nct/model/m_index.cpp
+  nc/iso/model/m_index.cpp
   nc/nct/tables/macro.cpp
   nc/nct/tables/measuring.cpp
   nc/nct/tables/motion.cpp
@@ -173,12 +180,12 @@ target_sources(proveout_core PRIVATE
   nc/nct/tables/tools.cpp
   nc/nct/tables/transforms.cpp
   nc/nct/tables/turning.cpp
-  nc/nct/model/offset_tables.cpp
-  nc/nct/tools/offsets.cpp
-  nc/nct/tools/tool_data.cpp
-  nc/nct/model/tool_tables.cpp
-  nc/nct/tools/tools.cpp
-  nc/nct/stages/zone_stage.cpp
-  nc/nct/zones/zones.cpp)
+  nc/iso/model/offset_tables.cpp
+  nc/iso/tools/offsets.cpp
+  nc/iso/tools/tool_data.cpp
+  nc/iso/model/tool_tables.cpp
+  nc/iso/tools/tools.cpp
+  nc/iso/stages/zone_stage.cpp
+  nc/iso/zones/zones.cpp)
 include(nc/flexnc/sources.cmake)
 include(nc/services/sources.cmake)

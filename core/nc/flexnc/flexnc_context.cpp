@@ -29,8 +29,11 @@ FlexContext::FlexContext(const ProgramSource& source_in, const ControlSettings& 
       evaluator(variables, recorder),
       reader(variables, evaluator, recorder),
       report(emitter, program, levels, recorder),
-      watch(summary, progress, settings.block_limit),
-      loop_budget(settings.block_limit, [this] { return loopState(*this); }),
+      watch(
+          summary, progress, settings.block_limit, [this] { return loopState(*this); },
+          [this](const char* what, const std::string& message) {
+            report.fail(fmt::format("fnc-{}", what), message);
+          }),
       comp_stage(pipe, report),
       frame_stage(chain),
       rapid_stage(emitter, settings),

@@ -12,10 +12,8 @@
 #include "core/nc/flexnc/flexnc_rapid_stage.h"
 #include "core/nc/flexnc/flexnc_report.h"
 #include "core/nc/flexnc/flexnc_state.h"
+#include "core/nc/flow/run_watch.h"
 #include "core/nc/kinematics/frames.h"
-#include "core/nc/limits/block_watch.h"
-#include "core/nc/limits/loop_budget.h"
-#include "core/nc/limits/loop_watch.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/stages/motion_pipe.h"
 #include "core/nc/stages/path_emitter.h"
@@ -67,9 +65,7 @@ struct FlexContext {
   FlexEvaluator evaluator;
   FlexReader reader;
   FlexReport report;
-  BlockWatch watch;
-  LoopWatch loops;
-  LoopBudget loop_budget;
+  RunWatch watch;
 
   // The way to the path.
   CoordinateChain chain;  ///< the pipe's work space is the machine's

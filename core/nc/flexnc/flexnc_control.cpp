@@ -6,9 +6,7 @@
 
 #include "core/nc/flexnc/cycles/flexnc_cycles.h"
 #include "core/nc/flexnc/flexnc_origins.h"
-#include "core/nc/flexnc/flexnc_watch.h"
 #include "core/nc/flexnc/flexnc_words.h"
-#include "core/nc/text/program_likeness.h"
 
 namespace proveout::nc {
 
@@ -20,7 +18,7 @@ constexpr std::size_t kMostNested = 15;  ///< subprograms below the main program
 
 InterpretSummary FlexControl::run() {
   c_.summary.end = ProgramEnd::kAlarm;
-  if (start()) runFrom(0);
+  if (start() && loop_.openMain(programFrom(0))) loop_.run();
   c_.emitter.time().flush();
   return c_.summary;
 }
@@ -41,25 +39,15 @@ bool FlexControl::start() {
   return true;
 }
 
-FlexControl::Go FlexControl::runFrom(std::size_t first) {
-  c_.levels.push_back({first, -1, runs_++});
-  Go go = Go::kOn;
-  for (std::size_t line = first; go == Go::kOn;) {
-    if (line >= c_.program.count()) {
-      go = endOfText();
-      break;
-    }
-    c_.levels.back().line = line++;
-    c_.levels.back().number = -1;
-    go = block(line);
-    if (go == Go::kOn && until_hit_ && c_.levels.size() == 1) go = finish("until", ProgramEnd::kUntil);
-  }
-  c_.levels.pop_back();
-  return go;
+FlowFrame FlexControl::programFrom(std::size_t line) const {
+  FlowFrame frame;
+  frame.first = line;
+  frame.end = c_.program.count();
+  return frame;
 }
 
-FlexControl::Go FlexControl::endOfText() {
-  c_.levels.back().line = c_.program.count() - 1;
+Go FlexControl::endOfText() {
+  c_.levels.back().block = c_.program.count() - 1;
   beginFlexLine(c_);
   if (c_.levels.size() > 1) {
     c_.report.fail("fnc-ret", "the program ends inside a subprogram: RET is missing at its end");
@@ -67,62 +55,65 @@ FlexControl::Go FlexControl::endOfText() {
     return Go::kStop;
   }
   c_.report.warn("fnc-no-m02", "the program ends without M02: is the file cut short?");
-  return finish("end of text", ProgramEnd::kEndOfProgram);
+  return end("end of text");
 }
 
-FlexControl::Go FlexControl::block(std::size_t& next_line) {
-  const std::string_view line = c_.program.line(c_.levels.back().line);
+/// The block that ends the program may be the one to stop behind.
+Go FlexControl::end(const char* code) {
+  loop_.blockDone();
+  return loop_.finish(code, ProgramEnd::kEndOfProgram);
+}
+
+Reading FlexControl::read() {
+  FlowFrame& level = c_.levels.back();
+  const std::string_view line = c_.program.line(level.block);
   c_.variables.mark();
-  c_.levels.back().number = flexLabelOf(line);
+  level.number = flexLabelOf(line);
   beginFlexLine(c_);
-  const bool good = c_.reader.read(line, c_.block);
-  if (good && c_.block.empty()) {
-    until_hit_ = until_hit_ || reachedUntil();
-    return Go::kOn;
-  }
-  if (flexWorkOver(c_) || flexGoesOn(c_)) return Go::kStop;
-  ++c_.summary.blocks;
-  if (!good) {
-    c_.variables.takeBack();
-    c_.report.fail(c_.reader.error().code, c_.reader.error().message, c_.reader.error().columns);
-    return failed();
-  }
+  if (!c_.reader.read(line, c_.block)) return Reading::kBad;
+  return c_.block.empty() ? Reading::kEmpty : Reading::kBlock;
+}
+
+bool FlexControl::workOver() {
+  const FlowPlace at = flowPlace(c_.levels);
+  return c_.watch.workOver(at) || c_.watch.goesOn(at);
+}
+
+void FlexControl::refuse() {
+  c_.variables.takeBack();
+  c_.report.fail(c_.reader.error().code, c_.reader.error().message, c_.reader.error().columns);
+}
+
+Go FlexControl::carryOut() {
   if (c_.block.odd_variable.begin > 0) {
     c_.report.warnOnce("odd variable", "fnc-variable",
                        fmt::format("programs have the variables P{} to P{}: others are the control's own",
                                    FlexVariables::kFirstOfPrograms, FlexVariables::kLastOfPrograms),
                        c_.block.odd_variable);
   }
-  return execute(next_line);
-}
-
-FlexControl::Go FlexControl::execute(std::size_t& next_line) {
   const FlexState before = c_.state;
   FlexCursor cursor;
   const bool ends_contours = !c_.block.words.empty() && !goesOnWithContour(c_);
   if (!checkFlexWords(c_) || (ends_contours && !endFlexContours(c_)) || !performFlexWords(c_, cursor)) {
     c_.variables.takeBack();
     c_.state = before;
-    return failed();
+    return loop_.failed();
   }
-  const bool reached = reachedUntil();
-  Go go = Go::kOn;
   if (cursor.ends && c_.levels.size() > 1) {
     c_.report.fail("fnc-ret", "M02 inside a subprogram: RET ends it");
-    return failed();
+    return loop_.failed();
   }
-  if (cursor.ends) return finish("M02", ProgramEnd::kEndOfProgram);
-  if (c_.block.jump) go = jump(FlexJump(*c_.block.jump), next_line);
-  until_hit_ = until_hit_ || reached;
-  return go;
+  if (cursor.ends) return end("M02");
+  return c_.block.jump ? jump(FlexJump(*c_.block.jump)) : Go::kOn;
 }
 
-FlexControl::Go FlexControl::jump(const FlexJump& jump, std::size_t& next_line) {
+/// Behind an error here the block counts as done.
+Go FlexControl::jump(const FlexJump& jump) {
   if (jump.kind == FlexJump::Kind::kCall) return call(jump);
-  if (jump.kind == FlexJump::Kind::kRepeat) return repeat(jump, next_line);
+  if (jump.kind == FlexJump::Kind::kRepeat) return repeat(jump);
   if (c_.levels.size() > 1) return Go::kReturn;
   c_.report.fail("fnc-ret", "RET without a GOSUB: the main program ends with M02", jump.columns);
-  return failed();
+  return loop_.failed(Go::kOn);
 }
 
 /// False: there is none, or several, reported.
@@ -141,20 +132,24 @@ bool FlexControl::findLabel(const FlexJump& jump, std::size_t& line) {
   return true;
 }
 
-FlexControl::Go FlexControl::call(const FlexJump& jump) {
+Go FlexControl::call(const FlexJump& jump) {
   std::size_t line = 0;
-  if (!findLabel(jump, line)) return failed();
+  if (!findLabel(jump, line)) return loop_.failed(Go::kOn);
   if (c_.levels.size() > kMostNested) {
     c_.report.fail("fnc-gosub",
                    fmt::format("subprograms are nested {} deep at most: does one call itself?", kMostNested),
                    jump.columns);
-    return failed();
+    return loop_.failed(Go::kOn);
   }
-  c_.recorder.openCall();
-  const Go go = runFrom(line);
-  c_.recorder.closeCall();
-  return go == Go::kReturn ? Go::kOn : go;
+  return loop_.call(programFrom(line), 1);
 }
+
+bool FlexControl::opens() {
+  c_.recorder.openCall();
+  return true;
+}
+
+void FlexControl::closed() { c_.recorder.closeCall(); }
 
 /// What is still to be repeated; the statement's first arrival arms it.
 double FlexControl::repeatsLeft(const FlexJump& jump, Repeat& repeat, bool first) {
@@ -165,28 +160,33 @@ double FlexControl::repeatsLeft(const FlexJump& jump, Repeat& repeat, bool first
   return jump.counter >= 0 ? c_.variables.value(jump.counter) : repeat.left;
 }
 
-FlexControl::Go FlexControl::repeat(const FlexJump& jump, std::size_t& next_line) {
-  const std::size_t here = c_.levels.back().line;
-  std::size_t line = 0;
-  if (!findLabel(jump, line)) return failed();
+/// Where the loop of a REPEAT begins. False: it has none, or another one has its counter, reported.
+bool FlexControl::findRepeat(const FlexJump& jump, std::size_t& line) {
+  const std::size_t here = c_.levels.back().block;
+  if (!findLabel(jump, line)) return false;
   if (line > here) {
-    c_.report.fail("fnc-repeat",
-                   fmt::format("the label N{} stands below the REPEAT: it has to be above", jump.label),
-                   jump.columns);
-    return failed();
+    return c_.report.fail(
+        "fnc-repeat", fmt::format("the label N{} stands below the REPEAT: it has to be above", jump.label),
+        jump.columns);
   }
   for (const auto& [other, repeat] : repeats_) {
     if (other == here || jump.counter < 0 || repeat.counter != jump.counter) continue;
-    c_.report.fail("fnc-repeat",
-                   fmt::format("P{} counts the REPEAT of line {} already: nested ones need counters of "
-                               "their own",
-                               jump.counter, other + 1),
-                   jump.columns);
-    return failed();
+    return c_.report.fail("fnc-repeat",
+                          fmt::format("P{} counts the REPEAT of line {} already: nested ones need counters "
+                                      "of their own",
+                                      jump.counter, other + 1),
+                          jump.columns);
   }
+  return true;
+}
+
+Go FlexControl::repeat(const FlexJump& jump) {
+  const std::size_t here = c_.levels.back().block;
+  std::size_t line = 0;
+  if (!findRepeat(jump, line)) return loop_.failed(Go::kOn);
   const auto [place, first] = repeats_.try_emplace(here);
   const double left = repeatsLeft(jump, place->second, first);
-  c_.loop_budget.asked(here, std::abs(left), left > 0.0);
+  c_.watch.budget().asked(here, std::abs(left), left > 0.0);
   if (!(left > 0.0)) {
     repeats_.erase(place);
     return Go::kOn;
@@ -196,45 +196,36 @@ FlexControl::Go FlexControl::repeat(const FlexJump& jump, std::size_t& next_line
   } else {
     place->second.left -= 1;
   }
-  next_line = line;
+  loop_.jump(line);
   std::uint64_t counters = 0;
   for (const auto& [other, repeat] : repeats_)
     counters += mixBits((static_cast<std::uint64_t>(other) << 32U) + static_cast<std::uint64_t>(repeat.left));
-  return flexGoesRound(c_, counters) ? Go::kStop : Go::kOn;
+  const bool endless = c_.watch.goesRound(flowPlace(c_.levels), c_.variables.fingerprint() + counters,
+                                          {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)});
+  return endless ? Go::kStop : Go::kOn;
 }
 
-FlexControl::Go FlexControl::finish(const char* code, ProgramEnd end) {
-  c_.summary.end = ProgramEnd::kAlarm;
+void FlexControl::recover() {
+  c_.pipe.clear();
+  c_.machine = c_.emitter.machine();
+  c_.cycle = {};
+}
+
+bool FlexControl::flush(ProgramEnd end) {
   if (c_.state.comp != 40 && end == ProgramEnd::kEndOfProgram) {
     c_.report.warn("fnc-comp-end",
                    "the program ends while compensation is on: its last motion ends on the programmed point; "
                    "put G40 with a motion, or G81, before M02");
   }
-  if (!endFlexContours(c_) || !c_.pipe.flush(FlushReason::kEnd)) return Go::kStop;
-  if (c_.settings.until && !until_hit_) {
-    if (!reachedUntil()) {
-      c_.report.fail("fnc-until", "the program ends here; the block to stop after was not reached");
-      return Go::kStop;
-    }
-  }
-  c_.summary.end = end;
+  return endFlexContours(c_) && c_.pipe.flush(FlushReason::kEnd);
+}
+
+void FlexControl::sendEnd(const std::string& code) {
   c_.emitter.event(event::End{code}, 0.0, c_.report.here());
-  return Go::kStop;
 }
 
-FlexControl::Go FlexControl::failed() {
-  if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
-  c_.pipe.clear();
-  c_.machine = c_.emitter.machine();
-  c_.cycle = {};
-  if (c_.summary.errors < c_.settings.max_errors && mayBeProgram(c_.program.text())) return Go::kOn;
-  c_.summary.end = ProgramEnd::kAlarm;
-  return Go::kStop;
-}
-
-bool FlexControl::reachedUntil() const {
-  if (!c_.settings.until || c_.levels.size() != 1) return false;
-  return c_.settings.until->reachedBy(c_.levels.back().number, c_.levels.back().line);
+void FlexControl::tell(const char* what, const std::string& message) {
+  c_.report.fail(fmt::format("fnc-{}", what), message);
 }
 
 }  // namespace proveout::nc

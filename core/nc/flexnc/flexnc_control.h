@@ -3,54 +3,59 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <map>
+#include <string>
 
 #include "core/nc/flexnc/flexnc_codes.h"
 #include "core/nc/flexnc/flexnc_context.h"
+#include "core/nc/flow/run_loop.h"
 
 namespace proveout::nc {
 
-/// The run loop: blocks in their order, calls, repeats, ends.
-class FlexControl {
+/// Blocks, calls, repeats and ends; RunLoop leads through the lines.
+class FlexControl : private FlowControl {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   FlexControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
               Progress* progress)
-      : c_(source, settings, sink, progress) {}
+      : c_(source, settings, sink, progress), loop_(*this, c_.levels, c_.summary, c_.settings) {}
   /// Once. Errors go to the sink; the summary says how it ended.
   InterpretSummary run();
 
  private:
-  enum class Go : std::uint8_t {
-    kOn,
-    kReturn,  ///< from the subprogram
-    kStop     ///< the run is over
-  };
   /// A REPEAT statement under way.
   struct Repeat {
     int left = 0;      ///< repeats, where no variable counts
     int counter = -1;  ///< number of the variable that counts, or -1
   };
 
+  Reading read() override;
+  bool workOver() override;
+  void refuse() override;
+  Go carryOut() override;
+  Go endOfText() override;
+  bool opens() override;
+  void closed() override;
+  void recover() override;
+  bool flush(ProgramEnd end) override;
+  void sendEnd(const std::string& code) override;
+  void tell(const char* what, const std::string& message) override;
+  const SourceText& text() const override { return c_.program.text(); }
+  std::size_t line() const override { return c_.levels.back().block; }
+
   bool start();
-  Go runFrom(std::size_t line);
-  Go endOfText();
-  Go block(std::size_t& next_line);
-  Go execute(std::size_t& next_line);
-  Go jump(const FlexJump& jump, std::size_t& next_line);
+  FlowFrame programFrom(std::size_t line) const;
+  Go end(const char* code);
+  Go jump(const FlexJump& jump);
   Go call(const FlexJump& jump);
-  Go repeat(const FlexJump& jump, std::size_t& next_line);
+  Go repeat(const FlexJump& jump);
   double repeatsLeft(const FlexJump& jump, Repeat& repeat, bool first);
+  bool findRepeat(const FlexJump& jump, std::size_t& line);
   bool findLabel(const FlexJump& jump, std::size_t& line);
-  Go finish(const char* code, ProgramEnd end);
-  Go failed();
-  bool reachedUntil() const;
 
   FlexContext c_;
+  RunLoop<FlowFrame> loop_;
   std::map<std::size_t, Repeat> repeats_;  ///< by line
-  bool until_hit_ = false;
-  std::uint64_t runs_ = 0;  ///< programs opened
 };
 
 }  // namespace proveout::nc

@@ -41,15 +41,9 @@ class FlexEvaluator {
   const FlexSyntaxError& error() const { return error_; }
 
  private:
-  static constexpr int kMostNested = 64;
+  class Formula;
 
-  bool sum(std::string_view text, std::size_t& pos, double& out);
-  bool product(std::string_view text, std::size_t& pos, double& out);
-  bool operand(std::string_view text, std::size_t& pos, double& out);
-  bool name(std::string_view text, std::size_t& pos, double& out);
-  bool variable(std::string_view text, std::size_t& pos, double& out);
-  bool parenthesis(std::string_view text, std::size_t& pos, double& out);
-  bool number(std::string_view text, std::size_t& pos, double& out);
+  bool read(std::string_view text, std::size_t& pos, double& out, bool plain);
   bool finite(double value, std::size_t from, std::size_t to);
   bool fail(const char* code, std::string message, std::size_t from, std::size_t to);
 
@@ -57,7 +51,6 @@ class FlexEvaluator {
   ValueOrigins& origins_;
   std::vector<std::uint32_t> reads_;
   int odd_ = -1;
-  int nested_ = 0;
   FlexSyntaxError error_;
 };
 

@@ -23,9 +23,9 @@ OffsetInForce radiusInForce(const FlexContext& c) {
 }  // namespace
 
 void beginFlexLine(FlexContext& c) {
-  const FlexLevel& level = c.levels.back();
+  const FlowFrame& level = c.levels.back();
   c.recorder.enter(0, static_cast<std::uint16_t>(c.levels.size() - 1), true);
-  c.recorder.begin(static_cast<std::uint32_t>(level.line + 1), level.number);
+  c.recorder.begin(static_cast<std::uint32_t>(level.block + 1), level.number);
   c.recorder.clear(kBlockKinds);
 }
 
@@ -70,7 +70,7 @@ FlexCycleOrigins::FlexCycleOrigins(FlexContext& c, std::size_t code)
     : c_(c), file_(0), before_(c.recorder.slots()) {
   const FlexWord& word = c.block.words[code];
   const CycleCode cycle = *cycleCode(word.tenths / 10.0);
-  file_ = c.program.cycleFile(cycleName(cycle), c.levels.back().line, c.sink);
+  file_ = c.program.cycleFile(cycleName(cycle), c.levels.back().block, c.sink);
   c.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ, OriginKind::kMotionCode));
   c.recorder.word(OriginKind::kCycle, word.columns, word.value, word.reads, {});
   record(OriginKind::kCycleStep, 'P', code);
@@ -99,7 +99,7 @@ FlexCycleOrigins::~FlexCycleOrigins() {
   c_.report.inCycle({});
   c_.recorder.closeCall();
   c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
-  c_.recorder.begin(static_cast<std::uint32_t>(c_.levels.back().line + 1), c_.levels.back().number);
+  c_.recorder.begin(static_cast<std::uint32_t>(c_.levels.back().block + 1), c_.levels.back().number);
   c_.recorder.restore(before_, {});
   // Where the cycle has left the tool no word tells.
   c_.recorder.clear(KindSet::of(OriginKind::kX, OriginKind::kZ));

@@ -24,7 +24,7 @@ const char* codeOf(CompFault fault) {
 SourceRef FlexReport::here() {
   SourceRef at;
   if (levels_.empty()) return at;
-  at.line = static_cast<std::uint32_t>(levels_.back().line + 1);
+  at.line = static_cast<std::uint32_t>(levels_.back().block + 1);
   at.block = levels_.back().number;
   at.depth = static_cast<decltype(at.depth)>(levels_.size() - 1);
   if (cycle_.file != 0) {
@@ -51,7 +51,7 @@ void FlexReport::tell(Severity severity, const SourceRef& at, Columns columns, s
   const SourceRef block = written(at);
   Diagnostic d = diagnosticAt(text, block, columns, severity, std::move(code), std::move(message));
   for (std::size_t level = levels_.size(); level-- > 1 && block.line > 0;)
-    d.notes.push_back(calledFrom(*text, levels_[level - 1].line + 1));
+    d.notes.push_back(calledFrom(*text, levels_[level - 1].block + 1));
   emitter_.diagnostic(d);
 }
 

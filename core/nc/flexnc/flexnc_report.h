@@ -9,19 +9,15 @@
 #include <vector>
 
 #include "core/nc/flexnc/flexnc_program.h"
+#include "core/nc/flow/flow_frame.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/stages/path_emitter.h"
 #include "core/nc/stages/rolling_comp_stage.h"
 
 namespace proveout::nc {
 
-/// The main program, or a call of a subprogram.
-struct FlexLevel {
-  std::size_t line = 0;      ///< of the block in hand, index
-  std::int64_t number = -1;  ///< its label
-  std::uint64_t run = 0;     ///< number of the call
-};
-using FlexLevels = std::vector<FlexLevel>;
+/// The main program, and calls of subprograms in its text.
+using FlexLevels = std::vector<FlowFrame>;
 
 /// Where a cycle is that the block in hand runs.
 struct FlexCyclePlace {

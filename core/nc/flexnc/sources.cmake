@@ -17,7 +17,6 @@ target_sources(proveout_core PRIVATE
   nc/flexnc/flexnc_report.cpp
   nc/flexnc/flexnc_row.cpp
   nc/flexnc/flexnc_table.cpp
-  nc/flexnc/flexnc_watch.cpp
   nc/flexnc/flexnc_words.cpp
   nc/flexnc/cycles/special_facing.cpp
   nc/flexnc/cycles/special_grooves.cpp

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/base/assert.h"
 #include "core/geometry/degrees.h"
 
 namespace proveout::nc {
@@ -64,6 +65,7 @@ void scale(const Transforms& t, const AxisTable& axes, ProgramMap& map) {
     if (further && (!t.scales_further || axis >= axes.count())) continue;
     if (further && axes.at(axis).rotary() && axis != t.virtual_axis) continue;
     const double factor = further ? t.factors.x() : t.factors[axis];
+    PROVEOUT_ASSERT(factor != 0.0);  // a map that has an inverse
     steps.factor[static_cast<std::size_t>(axis)] = factor;
     steps.shift[static_cast<std::size_t>(axis)] = (1.0 - factor) * t.scale_center[axis];
   }

@@ -4,124 +4,103 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
 #include "core/base/characters.h"
-#include "core/nc/macro/functions.h"
+#include "core/nc/macro/formula.h"
 
 namespace proveout::nc {
 namespace {
 
-constexpr int kMaxDepth = 64;
+enum Special { kAxisNumber = 1, kParameter };
 
-struct FunctionName {
-  std::string_view text;
-  MacroFunction function;
-};
-constexpr auto kFunctions = std::to_array<FunctionName>({
-    {"SIN", MacroFunction::kSin},
-    {"COS", MacroFunction::kCos},
-    {"TAN", MacroFunction::kTan},
-    {"SQRT", MacroFunction::kSqrt},
-    {"ABS", MacroFunction::kAbs},
-    {"FIX", MacroFunction::kFix},
-    {"FUP", MacroFunction::kFup},
-    {"ASIN", MacroFunction::kAsin},
-    {"ACOS", MacroFunction::kAcos},
-    {"ATAN", MacroFunction::kAtan},
-    {"EXP", MacroFunction::kExp},
-    {"LN", MacroFunction::kLn},
-    {"NOT", MacroFunction::kNot},
+constexpr int kNctSumRank = 1, kNctProductRank = 2;
+constexpr auto kNctOperators = std::to_array<FormulaOperator>({
+    {"+", kNctSumRank, Operation::kAdd},
+    {"-", kNctSumRank, Operation::kSubtract},
+    {"OR", kNctSumRank, Operation::kBitOr},
+    {"XOR", kNctSumRank, Operation::kBitXor},
+    {"*", kNctProductRank, Operation::kMultiply},
+    {"/", kNctProductRank, Operation::kDivide},
+    {"MOD", kNctProductRank, Operation::kModulo},
+    {"AND", kNctProductRank, Operation::kBitAnd},
+    {"EQ", 0, Operation::kEqual},
+    {"NE", 0, Operation::kUnequal},
+    {"GT", 0, Operation::kGreater},
+    {"GE", 0, Operation::kGreaterEqual},
+    {"LT", 0, Operation::kLess},
+    {"LE", 0, Operation::kLessEqual},
+});
+constexpr auto kNctFunctions = std::to_array<FormulaFunction>({
+    {"SIN", sine},
+    {"SQRT", squareRoot},
+    {"COS", cosine},
+    {"TAN", tangent},
+    {"ABS", absoluteValue},
+    {"ASIN", arcSine},
+    {"ACOS", arcCosine},
+    {"ATAN", arcTangent},
+    {"AXNUM", nullptr, nullptr, {}, kAxisNumber},
+    {"FIX", towardsZero},
+    {"FUP", fromZero},
+    {"EXP", exponential},
+    {"LN", naturalLogarithm},
+    {"NOT", bitComplement},
+    {"PRM", nullptr, nullptr, {}, kParameter},
 });
 
-enum class Relation { kEq, kNe, kGt, kLt, kGe, kLe };
-struct RelationName {
-  std::string_view text;
-  Relation relation;
-};
-constexpr auto kRelations = std::to_array<RelationName>({
-    {"EQ", Relation::kEq},
-    {"NE", Relation::kNe},
-    {"GT", Relation::kGt},
-    {"LT", Relation::kLt},
-    {"GE", Relation::kGe},
-    {"LE", Relation::kLe},
-});
-
-bool related(Relation relation, const Value& left, const Value& right) {
-  constexpr double kAbove = std::numeric_limits<double>::infinity();
-  const double a = left.vacant ? kAbove : left.number, b = right.vacant ? kAbove : right.number;
-  switch (relation) {
-    case Relation::kEq:
-      return a == b;
-    case Relation::kNe:
-      return a != b;
-    case Relation::kGt:
-      return a > b;
-    case Relation::kLt:
-      return a < b;
-    case Relation::kGe:
-      return a >= b;
-    case Relation::kLe:
-      return a <= b;
-  }
-  return false;
+constexpr FormulaRules nctRules() {
+  FormulaRules out;
+  out.formula_rank = kNctSumRank;
+  out.vacant = VacantRelation::kAboveAll;
+  return out;
 }
 
-/// One formula on its way from text to value.
-class Parser {
+constexpr FormulaLanguage kNctFormulas{nctRules(), FormulaRows(kNctOperators), FormulaRows(kNctFunctions)};
+
+/// A formula of a language whose variables are #n in a VariableStore.
+class MacroFormula : public FormulaParser<MacroFormula> {
  public:
-  Parser(std::string_view text, std::size_t pos, VariableStore& variables,
-         const MacroEnvironment& environment, const AlarmTable& alarms, LexError& error,
-         std::vector<std::uint32_t>& reads)
-      : i(pos),
-        text_(text),
+  MacroFormula(const FormulaLanguage& language, std::string_view text, std::size_t pos,
+               VariableStore& variables, const MacroEnvironment& environment, const AlarmTable& alarms,
+               LexError& error, std::vector<std::uint32_t>& reads)
+      : FormulaParser(language, text, pos, reads),
         variables_(variables),
         environment_(environment),
         alarms_(alarms),
-        error_(error),
-        reads_(reads) {
+        error_(error) {
     reads_.clear();
   }
 
-  std::size_t i;                    ///< the next character
   bool in_assignment = false;       ///< PRM may stand here
+  double distance = 0.0;            ///< of the sides of the last relation; NaN where one was vacant
   ValueOrigins* origins = nullptr;  ///< of what assignment() writes; null: not wanted
 
-  bool sum(Value& out);
   bool signedOperand(Value& out);
   bool variableNumber(int& number);
-  bool condition(bool& holds, double& distance);
   bool assignment();
 
+  // What the parser asks.
+  bool fail(const FormulaFault& fault);
+  bool variable(Value& out);
+  bool special(int which, const FormulaFunction& /*name*/, Value& out) {
+    return which == kAxisNumber ? axisNumber(out) : parameter(out);
+  }
+  bool otherName(Value& out);
+  void compared(const Value& left, const Value& right, bool holds);
+
  private:
-  bool product(Value& out);
-  bool unary(Value& out);
-  bool primary(Value& out);
-  bool number(double& out);
-  bool bracket(Value& out);
-  bool named(Value& out);
-  bool apply(const FunctionName& name, Value& out);
+  bool refused(const FormulaFault& fault);
   bool axisNumber(Value& out);
   bool parameter(Value& out);
   bool parameterArgument(int missing, int& out);
   bool symbol(int& number);
   bool wholeNumber(const Value& value, std::size_t begin, int& out);
-  bool relation(Relation& out);
-  bool logic(LogicOperator op, Value& left, const Value& right, std::size_t begin);
-  bool finite(double value, std::size_t begin, Value& out);
+  bool accessed(VariableStatus status, int number, std::size_t begin);
 
-  char peek() const { return i < text_.size() ? text_[i] : '\0'; }
-  bool at(std::string_view word) const { return keywordAt(text_, i, word); }
-  bool take(char c) {
-    if (peek() != c) return false;
-    ++i;
-    return true;
-  }
   bool alarm(SharedAlarm what, std::string_view subject, std::string_view detail, std::size_t begin) {
     const std::size_t end = std::max(begin + 1, i);
     error_ = {alarms_.code(what),
@@ -132,109 +111,75 @@ class Parser {
   bool syntax(std::string_view detail, std::size_t begin) {
     return alarm(SharedAlarm::kSyntax, {}, detail, begin);
   }
-  bool accessed(VariableStatus status, int number, std::size_t begin);
+  /// A bracket that should stand at pos(); the text may end there.
+  bool noBracket(std::string_view detail, std::size_t begin) {
+    return i >= text_.size() ? alarm(SharedAlarm::kRightBracket, {}, {}, begin) : syntax(detail, i);
+  }
 
-  std::string_view text_;
   VariableStore& variables_;
   const MacroEnvironment& environment_;
   const AlarmTable& alarms_;
   LexError& error_;
-  std::vector<std::uint32_t>& reads_;
-  int depth_ = 0;
 };
 
-bool Parser::finite(double value, std::size_t begin, Value& out) {
-  if (!std::isfinite(value)) {
-    return alarm(SharedAlarm::kValueLimit, {}, "the result is beyond 1.7E308", begin);
+bool MacroFormula::fail(const FormulaFault& fault) {
+  switch (fault.kind) {
+    case Kind::kNoOperand:
+      return syntax(peek() == '\0' ? "the formula ends where a value is expected"
+                                   : "a number, a variable, a function or '[' is expected",
+                    fault.begin);
+    case Kind::kTooDeep:
+      return syntax("the formula is nested too deep", fault.begin);
+    case Kind::kNoBracket:
+      return noBracket("an operator or ']' is expected", fault.begin);
+    case Kind::kSecondPoint:
+      return syntax("second decimal point", fault.begin);
+    case Kind::kNoDigits:
+      return syntax("a number without digits", fault.begin);
+    case Kind::kBeyondRange:
+      return syntax("a number beyond 1.7E308", fault.begin);
+    case Kind::kNoArgument:
+    case Kind::kNoSecond:
+      return syntax(fmt::format("{} without its argument in brackets", fault.name), fault.begin);
+    case Kind::kNoCondition:
+      return syntax("a condition in brackets is expected", fault.begin);
+    case Kind::kConditionGoesOn:
+      return noBracket("']' is expected: a condition has one relation", fault.begin);
+    case Kind::kNoRelation:
+      if (peek() == '=') return alarm(SharedAlarm::kTerminator, "= (EQ compares)", {}, i);
+      if (i >= text_.size()) return alarm(SharedAlarm::kRightBracket, {}, {}, i);
+      return syntax("a condition has the form [value EQ value]", i);
+    case Kind::kOperation:
+    case Kind::kFunction:
+      return refused(fault);
   }
-  out = {value, false};
-  return true;
+  return false;
 }
 
-bool Parser::logic(LogicOperator op, Value& left, const Value& right, std::size_t begin) {
-  double out = 0.0;
-  if (const auto refused = applyLogic(op, left.number, right.number, out)) {
-    return alarm(*refused, {}, "an operand is beyond 32 bits", begin);
-  }
-  left = {out, false};
-  return true;
+/// Of an operator, or of a function and its argument.
+bool MacroFormula::refused(const FormulaFault& fault) {
+  // The columns of a sum begin where the formula does, those of a product with its first sign.
+  const std::size_t begin = fault.rank == rules_.formula_rank ? fault.entry : fault.begin;
+  if (fault.refusal == SharedAlarm::kValueLimit)
+    return alarm(fault.refusal, {}, "the result is beyond 1.7E308", begin);
+  if (fault.kind == Kind::kFunction)
+    return alarm(fault.refusal, {}, fmt::format("{} of {}", fault.name, fault.argument), begin);
+  const bool bits = fault.refusal == SharedAlarm::kBits;
+  return alarm(fault.refusal, {}, bits ? "an operand is beyond 32 bits" : "", begin);
 }
 
-bool Parser::sum(Value& out) {
-  const std::size_t begin = i;
-  if (!product(out)) return false;
-  while (true) {
-    const std::size_t behind = i;
-    i = skipBlanks(text_, i);
-    const char c = upper(peek());
-    Value right;
-    if (c == '+' || c == '-') {
-      ++i;
-      if (!product(right)) return false;
-      if (!finite(c == '+' ? out.number + right.number : out.number - right.number, begin, out)) return false;
-    } else if (c == 'O' && at("OR")) {
-      i += 2;
-      if (!product(right) || !logic(LogicOperator::kOr, out, right, begin)) return false;
-    } else if (c == 'X' && at("XOR")) {
-      i += 3;
-      if (!product(right) || !logic(LogicOperator::kXor, out, right, begin)) return false;
-    } else {
-      i = behind;
-      return true;
-    }
-  }
+void MacroFormula::compared(const Value& left, const Value& right, bool /*holds*/) {
+  const bool known = !left.vacant && !right.vacant;
+  distance = known ? std::abs(left.number - right.number) : std::numeric_limits<double>::quiet_NaN();
 }
 
-bool Parser::product(Value& out) {
-  i = skipBlanks(text_, i);
-  const std::size_t begin = i;
-  if (!unary(out)) return false;
-  while (true) {
-    const std::size_t behind = i;
-    i = skipBlanks(text_, i);
-    const char c = upper(peek());
-    Value right;
-    if (c == '*') {
-      ++i;
-      if (!unary(right) || !finite(out.number * right.number, begin, out)) return false;
-    } else if (c == '/' || (c == 'M' && at("MOD"))) {
-      i += c == '/' ? 1 : 3;
-      if (!unary(right)) return false;
-      if (right.number == 0.0) return alarm(SharedAlarm::kDivision, {}, {}, begin);
-      const double value = c == '/' ? out.number / right.number : std::fmod(out.number, right.number);
-      if (!finite(value, begin, out)) return false;
-    } else if (c == 'A' && at("AND")) {
-      i += 3;
-      if (!unary(right) || !logic(LogicOperator::kAnd, out, right, begin)) return false;
-    } else {
-      i = behind;
-      return true;
-    }
-  }
-}
-
-bool Parser::unary(Value& out) {
-  i = skipBlanks(text_, i);
-  bool minus = false, any = false;
-  const std::size_t begin = i;
-  for (char c = peek(); c == '+' || c == '-'; c = peek()) {
-    minus = minus != (c == '-');
-    any = true;
-    i = skipBlanks(text_, i + 1);
-  }
-  if (depth_ == kMaxDepth) return syntax("the formula is nested too deep", begin);
-  ++depth_;
-  const bool good = primary(out);
-  --depth_;
-  if (!good) return false;
-  if (any) out = {minus ? -out.number : out.number, false};
-  return true;
-}
-
-bool Parser::signedOperand(Value& out) {
-  i = skipBlanks(text_, i);
+bool MacroFormula::signedOperand(Value& out) {
+  passBlanks();
   const bool minus = peek() == '-';
-  if (minus || peek() == '+') i = skipBlanks(text_, i + 1);
+  if (minus || peek() == '+') {
+    ++i;
+    passBlanks();
+  }
   ++depth_;
   const bool good = primary(out);
   --depth_;
@@ -242,89 +187,22 @@ bool Parser::signedOperand(Value& out) {
   return good;
 }
 
-bool Parser::primary(Value& out) {
-  const char c = peek();
-  if (c == '#') {
-    const std::size_t begin = i;
-    int number = 0;
-    if (!variableNumber(number) || !accessed(variables_.read(number, out), number, begin)) return false;
-    if (out.origin != 0) reads_.push_back(out.origin);
-    return true;
-  }
-  if (isDigit(c) || c == '.') {
-    out.vacant = false;
-    return number(out.number);
-  }
-  if (c == '[') return bracket(out);
-  if (isLetter(c)) return named(out);
-  if (c == '\0') return syntax("the formula ends where a value is expected", i);
-  return syntax("a number, a variable, a function or '[' is expected", i);
-}
-
-bool Parser::number(double& out) {
-  constexpr std::array<double, 16> kTens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+bool MacroFormula::variable(Value& out) {
   const std::size_t begin = i;
-  std::uint64_t mantissa = 0;
-  std::size_t digits = 0, fraction = 0;
-  bool point = false;
-  for (; i < text_.size(); ++i) {
-    const char c = text_[i];
-    if (c == '.') {
-      if (point) return syntax("second decimal point", begin);
-      point = true;
-    } else if (isDigit(c)) {
-      if (digits < kTens.size()) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
-      ++digits;
-      fraction += point;
-    } else {
-      break;
-    }
-  }
-  if (digits == 0) return syntax("a number without digits", begin);
-  if (digits < kTens.size()) {
-    out = static_cast<double>(mantissa) / kTens[fraction];
-    return true;
-  }
-  const auto read = std::from_chars(text_.data() + begin, text_.data() + i, out, std::chars_format::fixed);
-  if (read.ec != std::errc()) return syntax("a number beyond 1.7E308", begin);
+  int number = 0;
+  if (!variableNumber(number) || !accessed(variables_.read(number, out), number, begin)) return false;
+  if (out.origin != 0) reads_.push_back(out.origin);
   return true;
 }
 
-bool Parser::bracket(Value& out) {
-  const std::size_t begin = i++;
-  if (!sum(out)) return false;
-  i = skipBlanks(text_, i);
-  if (take(']')) return true;
-  if (i >= text_.size()) return alarm(SharedAlarm::kRightBracket, {}, {}, begin);
-  return syntax("an operator or ']' is expected", i);
-}
-
-bool Parser::named(Value& out) {
-  for (const FunctionName& name : kFunctions) {
-    if (at(name.text)) return apply(name, out);
-  }
-  if (at("AXNUM")) return axisNumber(out);
-  if (at("PRM")) return parameter(out);
+bool MacroFormula::otherName(Value& /*out*/) {
   const std::size_t begin = i;
-  while (isLetter(peek())) ++i;
+  i = behindLetters();
   return syntax(fmt::format("a value is expected, and {} is no function", text_.substr(begin, i - begin)),
                 begin);
 }
 
-bool Parser::apply(const FunctionName& name, Value& out) {
-  const std::size_t begin = i;
-  i += name.text.size();
-  Value argument;
-  if (!unary(argument)) return false;
-  double value = 0.0;
-  if (const auto refused = applyFunction(name.function, argument.number, value)) {
-    return alarm(*refused, {}, fmt::format("{} of {}", name.text, argument.number), begin);
-  }
-  return finite(value, begin, out);
-}
-
-bool Parser::axisNumber(Value& out) {
+bool MacroFormula::axisNumber(Value& out) {
   const std::size_t begin = i;
   i = skipBlanks(text_, i + 5);
   if (!take('[')) return syntax("AXNUM is followed by [name of an axis]", begin);
@@ -344,16 +222,16 @@ bool Parser::axisNumber(Value& out) {
   return true;
 }
 
-bool Parser::parameterArgument(int missing, int& out) {
+bool MacroFormula::parameterArgument(int missing, int& out) {
   const std::size_t begin = i;
   Value value;
-  if (!sum(value)) return false;
+  if (!formula(value)) return false;
   if (!value.vacant) return wholeNumber(value, begin, out);
   out = missing;
   return true;
 }
 
-bool Parser::parameter(Value& out) {
+bool MacroFormula::parameter(Value& out) {
   const std::size_t begin = i;
   if (!in_assignment) {
     i += 3;
@@ -387,7 +265,7 @@ bool Parser::parameter(Value& out) {
   return true;
 }
 
-bool Parser::wholeNumber(const Value& value, std::size_t begin, int& out) {
+bool MacroFormula::wholeNumber(const Value& value, std::size_t begin, int& out) {
   constexpr double kNear = 1e-6;
   const double whole = std::round(value.number);
   if (!(std::abs(whole) <= 1e9) || std::abs(whole - value.number) > kNear) {
@@ -398,7 +276,7 @@ bool Parser::wholeNumber(const Value& value, std::size_t begin, int& out) {
   return true;
 }
 
-bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
+bool MacroFormula::accessed(VariableStatus status, int number, std::size_t begin) {
   if (status == VariableStatus::kDone) return true;
   if (status == VariableStatus::kReported) {
     error_.code.clear();
@@ -415,7 +293,7 @@ bool Parser::accessed(VariableStatus status, int number, std::size_t begin) {
   return alarm(locked ? SharedAlarm::kReadOnly : SharedAlarm::kValueLimit, name, {}, begin);
 }
 
-bool Parser::variableNumber(int& number) {
+bool MacroFormula::variableNumber(int& number) {
   const std::size_t begin = i++;
   const char c = peek();
   if (isDigit(c)) {
@@ -432,12 +310,13 @@ bool Parser::variableNumber(int& number) {
   if (c != '[') return syntax("'#' is followed by a number, a name or '['", begin);
   Value value;
   ++depth_;  // the recursion goes round by way of primary()
-  const bool good = depth_ < kMaxDepth ? bracket(value) : syntax("the formula is nested too deep", begin);
+  const bool good =
+      depth_ < rules_.most_depth ? bracket(value) : syntax("the formula is nested too deep", begin);
   --depth_;
   return good && wholeNumber(value, begin, number);
 }
 
-bool Parser::symbol(int& number) {
+bool MacroFormula::symbol(int& number) {
   const std::size_t begin = i - 1;
   std::size_t length = 0;
   const VariableSymbol* found = variables_.symbolAt(text_.substr(++i), length);
@@ -462,38 +341,7 @@ bool Parser::symbol(int& number) {
   return true;
 }
 
-bool Parser::relation(Relation& out) {
-  i = skipBlanks(text_, i);
-  for (const RelationName& name : kRelations) {
-    if (!at(name.text)) continue;
-    i += name.text.size();
-    out = name.relation;
-    return true;
-  }
-  if (peek() == '=') return alarm(SharedAlarm::kTerminator, "= (EQ compares)", {}, i);
-  if (i >= text_.size()) return alarm(SharedAlarm::kRightBracket, {}, {}, i);
-  return syntax("a condition has the form [value EQ value]", i);
-}
-
-bool Parser::condition(bool& holds, double& distance) {
-  i = skipBlanks(text_, i);
-  const std::size_t begin = i;
-  if (!take('[')) return syntax("a condition in brackets is expected", begin);
-  Value left, right;
-  Relation relation_between = Relation::kEq;
-  if (!sum(left) || !relation(relation_between) || !sum(right)) return false;
-  i = skipBlanks(text_, i);
-  if (!take(']')) {
-    return i >= text_.size() ? alarm(SharedAlarm::kRightBracket, {}, {}, begin)
-                             : syntax("']' is expected: a condition has one relation", i);
-  }
-  holds = related(relation_between, left, right);
-  const bool known = !left.vacant && !right.vacant;
-  distance = known ? std::abs(left.number - right.number) : std::numeric_limits<double>::quiet_NaN();
-  return true;
-}
-
-bool Parser::assignment() {
+bool MacroFormula::assignment() {
   const std::size_t begin = i;
   int number = 0;
   if (!variableNumber(number)) return false;
@@ -505,7 +353,7 @@ bool Parser::assignment() {
   const std::size_t first = text_.find_first_not_of(" \t", i);
   const bool text_only =
       first != std::string_view::npos && text_[first] == '(' && variables_.takesText(number);
-  if (!text_only && !sum(value)) return false;
+  if (!text_only && !formula(value)) return false;
   if (origins != nullptr) {
     const Columns columns{static_cast<int>(begin) + 1, static_cast<int>(i) + 1};
     value.origin = origins->assigned(columns, value.number, origins->listOf(reads_));
@@ -517,64 +365,43 @@ bool Parser::assignment() {
 
 }  // namespace
 
-std::size_t skipBlanks(std::string_view text, std::size_t pos) {
-  while (pos < text.size()) {
-    const char c = text[pos];
-    if (c == ' ' || c == '\t') {
-      ++pos;
-    } else if (c == '(') {
-      const std::size_t close = text.find(')', pos);
-      if (close == std::string_view::npos) return pos;
-      pos = close + 1;
-    } else {
-      return pos;
-    }
-  }
-  return pos;
-}
-
-bool keywordAt(std::string_view text, std::size_t pos, std::string_view word) {
-  if (pos + word.size() > text.size()) return false;
-  for (std::size_t k = 0; k < word.size(); ++k) {
-    if (upper(text[pos + k]) != word[k]) return false;
-  }
-  return true;
-}
+const FormulaLanguage& nctFormulas() { return kNctFormulas; }
 
 bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.signedOperand(value);
-  pos = parser.i;
+  pos = parser.pos();
   value.origin = origins_ != nullptr ? origins_->listOf(reads_) : 0;
   return good;
 }
 
 bool MacroEvaluator::formula(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
-  const bool good = parser.sum(value);
-  pos = parser.i;
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
+  const bool good = parser.formula(value);
+  pos = parser.pos();
   return good;
 }
 
 bool MacroEvaluator::condition(std::string_view text, std::size_t& pos, bool& holds, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
-  const bool good = parser.condition(holds, distance_);
-  pos = parser.i;
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
+  const bool good = parser.condition(holds);
+  if (good) distance_ = parser.distance;
+  pos = parser.pos();
   return good;
 }
 
 bool MacroEvaluator::assign(std::string_view text, std::size_t& pos, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
   parser.origins = origins_;
   const bool good = parser.assignment();
-  pos = parser.i;
+  pos = parser.pos();
   return good;
 }
 
 bool MacroEvaluator::variable(std::string_view text, std::size_t& pos, int& number, LexError& error) {
-  Parser parser(text, pos, variables_, environment_, alarms_, error, reads_);
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
   const bool good = parser.variableNumber(number);
-  pos = parser.i;
+  pos = parser.pos();
   return good;
 }
 

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nc/macro/formula_language.h"
+#include "core/nc/macro/formula_text.h"
 #include "core/nc/macro/value.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/origins/value_origins.h"
@@ -31,13 +33,18 @@ class MacroEnvironment {
   virtual ParameterAnswer parameter(int number, int bit, int index) const = 0;
 };
 
-/// Evaluates formulas against the variables. Errors carry the control's alarm and the columns; a result that
-/// is no finite number is kValueLimit. Brackets and functions nest 64 deep at most (kSyntax).
+/// Operators, functions and rules of the nct control.
+const FormulaLanguage& nctFormulas();
+
+/// Evaluates formulas of a language whose variables are #n against the variables. Errors carry the control's
+/// alarm and the columns; a result that is no finite number is kValueLimit. Brackets and functions nest 64
+/// deep at most (kSyntax).
 class MacroEvaluator : public ExpressionHook {
  public:
   /// What is handed in must outlive the evaluator.
-  MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment, const AlarmTable& alarms)
-      : variables_(variables), environment_(environment), alarms_(alarms) {}
+  MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment, const AlarmTable& alarms,
+                 const FormulaLanguage& language = nctFormulas())
+      : variables_(variables), environment_(environment), alarms_(alarms), language_(language) {}
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }
 
@@ -61,14 +68,10 @@ class MacroEvaluator : public ExpressionHook {
   VariableStore& variables_;
   const MacroEnvironment& environment_;
   const AlarmTable& alarms_;
+  const FormulaLanguage& language_;
   ValueOrigins* origins_ = nullptr;
   double distance_ = 0.0;
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the formula in hand
 };
-
-/// Behind blanks and comments that end in this line.
-std::size_t skipBlanks(std::string_view text, std::size_t pos);
-/// Does `word` (upper case) stand at text[pos], letters of either case?
-bool keywordAt(std::string_view text, std::size_t pos, std::string_view word);
 
 }  // namespace proveout::nc

@@ -11,14 +11,6 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
-Refusal tanDegrees(double x, double& out) {
-  constexpr double kNear = 1e-12;
-  const double r = std::remainder(x, 180.0);
-  if (std::abs(std::abs(r) - 90.0) <= kNear) return SharedAlarm::kTangent;
-  out = std::abs(r) == 45.0 ? std::copysign(1.0, r) : std::tan(r * kDegree);
-  return {};
-}
-
 /// The low 32 bits of an operand.
 bool bitsOf(double x, std::uint32_t& bits) {
   constexpr double kLimit = 4294967295.0;
@@ -30,56 +22,99 @@ bool bitsOf(double x, std::uint32_t& bits) {
 
 double asNumber(std::uint32_t bits) { return static_cast<double>(static_cast<std::int32_t>(bits)); }
 
-Refusal complement(double x, double& out) {
+}  // namespace
+
+Refusal squareRoot(double x, double& out) {
+  if (x < 0.0) return SharedAlarm::kRoot;
+  out = std::sqrt(x);
+  return {};
+}
+
+Refusal sine(double x, double& out) {
+  out = sinDegrees(x);
+  return {};
+}
+
+Refusal cosine(double x, double& out) {
+  out = cosDegrees(x);
+  return {};
+}
+
+Refusal tangent(double x, double& out) {
+  constexpr double kNear = 1e-12;
+  const double r = std::remainder(x, 180.0);
+  if (std::abs(std::abs(r) - 90.0) <= kNear) return SharedAlarm::kTangent;
+  out = std::abs(r) == 45.0 ? std::copysign(1.0, r) : std::tan(r * kDegree);
+  return {};
+}
+
+Refusal arcSine(double x, double& out) {
+  if (!(std::abs(x) <= 1.0)) return SharedAlarm::kArcFunction;
+  out = std::asin(x) / kDegree;
+  return {};
+}
+
+Refusal arcCosine(double x, double& out) {
+  if (!(std::abs(x) <= 1.0)) return SharedAlarm::kArcFunction;
+  out = std::acos(x) / kDegree;
+  return {};
+}
+
+Refusal arcTangent(double x, double& out) {
+  out = std::atan(x) / kDegree;
+  return {};
+}
+
+Refusal exponential(double x, double& out) {
+  out = std::exp(x);
+  return {};
+}
+
+Refusal naturalLogarithm(double x, double& out) {
+  if (!(x > 0.0)) return SharedAlarm::kLogarithm;
+  out = std::log(x);
+  return {};
+}
+
+Refusal absoluteValue(double x, double& out) {
+  out = std::abs(x);
+  return {};
+}
+
+Refusal towardsZero(double x, double& out) {
+  out = std::trunc(x);
+  return {};
+}
+
+Refusal fromZero(double x, double& out) {
+  out = x < 0.0 ? std::floor(x) : std::ceil(x);
+  return {};
+}
+
+Refusal downwards(double x, double& out) {
+  out = std::floor(x);
+  return {};
+}
+
+Refusal upwards(double x, double& out) {
+  out = std::ceil(x);
+  return {};
+}
+
+Refusal nearest(double x, double& out) {
+  out = std::round(x);
+  return {};
+}
+
+Refusal bitComplement(double x, double& out) {
   std::uint32_t bits = 0;
   if (!bitsOf(x, bits)) return SharedAlarm::kBits;
   out = asNumber(~bits);
   return {};
 }
 
-}  // namespace
-
-Refusal applyFunction(MacroFunction function, double x, double& out) {
-  switch (function) {
-    case MacroFunction::kSqrt:
-      if (x < 0.0) return SharedAlarm::kRoot;
-      out = std::sqrt(x);
-      return {};
-    case MacroFunction::kSin:
-      out = sinDegrees(x);
-      return {};
-    case MacroFunction::kCos:
-      out = cosDegrees(x);
-      return {};
-    case MacroFunction::kTan:
-      return tanDegrees(x, out);
-    case MacroFunction::kAsin:
-    case MacroFunction::kAcos:
-      if (!(std::abs(x) <= 1.0)) return SharedAlarm::kArcFunction;
-      out = (function == MacroFunction::kAsin ? std::asin(x) : std::acos(x)) / kDegree;
-      return {};
-    case MacroFunction::kAtan:
-      out = std::atan(x) / kDegree;
-      return {};
-    case MacroFunction::kExp:
-      out = std::exp(x);
-      return {};
-    case MacroFunction::kLn:
-      if (!(x > 0.0)) return SharedAlarm::kLogarithm;
-      out = std::log(x);
-      return {};
-    case MacroFunction::kAbs:
-      out = std::abs(x);
-      return {};
-    case MacroFunction::kFix:
-      out = std::trunc(x);
-      return {};
-    case MacroFunction::kFup:
-      out = x < 0.0 ? std::floor(x) : std::ceil(x);
-      return {};
-    case MacroFunction::kNot:
-      return complement(x, out);
-  }
+Refusal arcTangentOf(double x, double y, double& out) {
+  out = std::atan2(x, y) / kDegree;
   return {};
 }
 

@@ -11,11 +11,27 @@ namespace proveout::nc {
 /// Why an argument is refused; nothing: it is not.
 using Refusal = std::optional<SharedAlarm>;
 
-enum class MacroFunction { kSqrt, kSin, kCos, kTan, kAsin, kAcos, kAtan, kExp, kLn, kAbs, kFix, kFup, kNot };
-
-/// Angles in degrees, arguments and results. Sines of multiples of 30 degrees and tangents of multiples of 45
-/// that are rational come out exact (nct manual 23.2.4).
-Refusal applyFunction(MacroFunction function, double x, double& out);
+// Functions of one argument; angles in degrees, arguments and results. Sines of multiples of 30 degrees and
+// tangents of multiples of 45 that are rational come out exact (nct manual 23.2.4). What overflows is
+// infinite.
+Refusal squareRoot(double x, double& out);
+Refusal sine(double x, double& out);
+Refusal cosine(double x, double& out);
+Refusal tangent(double x, double& out);
+Refusal arcSine(double x, double& out);
+Refusal arcCosine(double x, double& out);
+Refusal arcTangent(double x, double& out);
+Refusal exponential(double x, double& out);
+Refusal naturalLogarithm(double x, double& out);
+Refusal absoluteValue(double x, double& out);
+Refusal towardsZero(double x, double& out);  ///< whole numbers; so below
+Refusal fromZero(double x, double& out);
+Refusal downwards(double x, double& out);
+Refusal upwards(double x, double& out);
+Refusal nearest(double x, double& out);  ///< halves go from zero
+Refusal bitComplement(double x, double& out);
+/// In the quadrant of the point (y, x), -180 to 180.
+Refusal arcTangentOf(double x, double y, double& out);
 
 enum class LogicOperator { kOr, kXor, kAnd };
 

@@ -5,11 +5,12 @@
 #include <sstream>
 #include <utility>
 
-#include "core/nc/nct/channels/channels.h"
+#include "core/nc/iso/channels/channels.h"
+#include "core/nc/iso/model/codes.h"
+#include "core/nc/iso/program/control.h"
 #include "core/nc/nct/coverage/coverage_rows.h"
-#include "core/nc/nct/model/codes.h"
-#include "core/nc/nct/parameters/parameters.h"
-#include "core/nc/nct/program/control.h"
+#include "core/nc/nct/dialect.h"
+#include "core/nc/nct/parameters/nct_parameters.h"
 #include "core/nc/specification/specification_text.h"
 
 namespace proveout::nc {
@@ -17,12 +18,12 @@ namespace {
 
 InterpretSummary run(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                      Progress* progress, const ControlHost& host) {
-  return NctControl(source, settings, sink, progress, host).run();
+  return IsoControl(nctDialect(), source, settings, sink, progress, host).run();
 }
 
 InterpretSummary runChannels(const std::vector<ChannelProgram>& channels, MotionSink& sink,
                              Progress* progress, const ControlHost& host) {
-  return NctChannels(channels, sink, progress, host).run();
+  return IsoChannels(nctDialect(), channels, sink, progress, host).run();
 }
 
 std::string_view statusOf(CodeClass cls, bool built) {
@@ -97,7 +98,7 @@ const ControlRow& nctRow() {
       .coverage = coverage,
       .coverage_ids = coverageIds,
       .open_reasons = openReasons,
-      .parameters = nctParameterTable,
+      .parameters = nctParameterList,
       .limits_travel = givesStroke,
   };
   return kRow;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace arcs_detail {
 
@@ -78,6 +80,7 @@ ArcResolution resolveArc(const ArcRequest& request, const ArcPolicy& policy) {
   }
   const double sweep = partialTurn(arc, request.counter_clockwise, policy.angle_tolerance_rad) +
                        kTurn * static_cast<double>(request.turns.value_or(1) - 1);
+  PROVEOUT_ASSERT(!(sweep < 0.0));
   arc.sweep_rad = request.counter_clockwise ? sweep : -sweep;
   return result;
 }

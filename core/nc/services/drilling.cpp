@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/assert.h"
+
 namespace proveout {
 namespace drilling_detail {
 
@@ -242,6 +244,7 @@ DrillError expandDrillCycle(const DrillCycle& cycle, std::vector<DrillStep>& ste
   steps.clear();
   const DrillError error = drilling_detail::check(cycle);
   if (error == DrillError::kNone) drilling_detail::Expander(cycle, steps).run();
+  PROVEOUT_ASSERT(steps.size() <= static_cast<std::size_t>(kMaxDrillSteps));
   return error;
 }
 

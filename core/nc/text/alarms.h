@@ -10,8 +10,8 @@
 
 namespace proveout::nc {
 
-/// What lexer, macro language and contour stages refuse. Every control names each of them with the code and
-/// the text of its manual; a room adds what is wrong in detail.
+/// What the rooms that several controls share refuse. Every control names each of them with the code and the
+/// text of its manual; a room adds what is wrong in detail.
 enum class SharedAlarm : std::uint8_t {
   kSyntax,
   kOutOfRange,        ///< subject: the address
@@ -34,9 +34,67 @@ enum class SharedAlarm : std::uint8_t {
   kContour,           ///< subject: the whole sentence
   kCircleRadius,      ///< the end is not on the circle
   kCorner,            ///< chamfer or rounding where none may stand
-  kCornerTooLarge     ///< chamfer or rounding that does not fit
+  kCornerTooLarge,    ///< chamfer or rounding that does not fit
+  // Controls of the ISO family.
+  kMissingData,        ///< subject: the address
+  kMirrorInTransform,  ///< mirroring switched while scaling or rotation is on
+  kCircle,             ///< a circle that is not defined
+  kThread,             ///< a thread that is not defined
+  kAxis,               ///< subject: an axis that cannot stand here
+  kTorque,             ///< of a measuring move
+  kCompEndInArc,       ///< cutter compensation ends in an arc
+  kCompNoIntersection,
+  kCompInterference,
+  kCompBuffer,      ///< more blocks wait than the control can hold
+  kNoBottom,        ///< a cycle without its bottom or R point
+  kProbeState,      ///< subject: the code that measuring does not go with
+  kProbeLimits,     ///< the probe answers outside of the expected way
+  kIncremental,     ///< subject: an axis whose word cannot be incremental here
+  kPlane,           ///< a plane that cannot be chosen here
+  kWhileWithoutDo,  ///< WHILE without DO
+  kBlockNotFound,   ///< subject: the block
+  kFileNotFound,
+  kProgramNotFound,  ///< the file of a call
+  kProgramExists,    ///< subject: the file
+  kFileExists,
+  kChamferAndRounding,  ///< both in one block
+  kOrientation,         ///< the spindle cannot be oriented
+  kIndexing,            ///< the spindle cannot be turned to an angle
+  kInSmoothing,         ///< subject: what is not allowed during smoothing
+  kParameterLocked,     ///< subject: the parameter
+  // Ends and ways beyond limits; subject: the axis.
+  kEndAbove,
+  kEndBelow,
+  kZoneEndAbove,
+  kZoneEndBelow,
+  kZoneEndInside2,
+  kZoneEndInside3,
+  kZoneEntry2,
+  kZoneEntry3,
+  kRanAbove,
+  kRanBelow,
+  kZoneRanAbove,
+  kZoneRanBelow,
+  kZoneRan2,
+  kZoneRan3,
+  kCount
 };
-inline constexpr std::size_t kSharedAlarms = static_cast<std::size_t>(SharedAlarm::kCornerTooLarge) + 1;
+inline constexpr std::size_t kSharedAlarms = static_cast<std::size_t>(SharedAlarm::kCount);
+
+/// What a diagnostic is called: an alarm of the control's manual, or a name of the simulator's own that
+/// stands behind the control's.
+class DiagnosticName {
+ public:
+  DiagnosticName(SharedAlarm alarm) : alarm_(alarm) {}      // NOLINT: implicit on purpose
+  DiagnosticName(const char* name) : name_(name) {}         // NOLINT
+  DiagnosticName(const std::string& name) : name_(name) {}  // NOLINT
+  SharedAlarm alarm() const { return alarm_; }              ///< kCount: it has a name
+  std::string_view name() const { return name_; }
+
+ private:
+  SharedAlarm alarm_ = SharedAlarm::kCount;
+  std::string_view name_;
+};
 
 /// The text of an alarm with its subject where `{}` stands; without a subject the mark and the blank or colon
 /// before it go.
@@ -49,18 +107,28 @@ class AlarmTable {
  public:
   struct Row {
     SharedAlarm alarm;
-    std::string code;       ///< of the diagnostic, "nct-2064"
+    int number;             ///< of the manual; 0: it has a name
+    std::string_view name;  ///< with number 0
     std::string_view text;  ///< `{}` is the subject
   };
-  /// What has no row has neither code nor text: for controls that do not use the rooms that refuse it.
-  AlarmTable(std::initializer_list<Row> rows);
+  /// `control`: its name stands in front of the codes of diagnostics, "nct" in "nct-2064". What has no row
+  /// goes by a name and a usual text.
+  AlarmTable(std::string_view control, std::initializer_list<Row> rows);
 
-  const std::string& code(SharedAlarm alarm) const { return rows_[static_cast<std::size_t>(alarm)].code; }
+  const std::string& code(SharedAlarm alarm) const { return codes_[static_cast<std::size_t>(alarm)]; }
+  std::string code(const DiagnosticName& name) const;
+  /// The code of an alarm by its number, of three digits at least: "nct-4001".
+  std::string code(int number) const;
+  int number(SharedAlarm alarm) const { return rows_[static_cast<std::size_t>(alarm)].number; }
   /// "text of the manual: detail".
   std::string message(SharedAlarm alarm, std::string_view subject, std::string_view detail = {}) const;
 
  private:
-  std::vector<Row> rows_;  ///< by SharedAlarm
+  void take(const Row& row);
+
+  std::string control_;
+  std::vector<Row> rows_;           ///< by SharedAlarm
+  std::vector<std::string> codes_;  ///< the same
 };
 
 }  // namespace proveout::nc

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
 #include "core/nc/control/control_info.h"
@@ -180,8 +181,22 @@ Result<std::string> decodeText(const std::string& bytes, TextEncoding encoding, 
 
 SourceText::SourceText(std::string name, std::string path, std::string utf8)
     : name_(std::move(name)), path_(std::move(path)), text_(std::move(utf8)) {
+  splitLines();
+}
+
+SourceText::SourceText(const SourceText& whole, std::size_t first, std::size_t end)
+    : name_(whole.name_), path_(whole.path_), encoding_(whole.encoding_), lines_(first), first_line_(first) {
+  PROVEOUT_ASSERT(first < end && end <= whole.lines_.size());
+  for (std::size_t k = first; k < end; ++k) {
+    text_ += whole.lines_[k];
+    text_ += '\n';
+  }
+  splitLines();
+}
+
+void SourceText::splitLines() {
   const std::string_view all = text_;
-  lines_.reserve(static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1);
+  lines_.reserve(lines_.size() + static_cast<std::size_t>(std::count(all.begin(), all.end(), '\n')) + 1);
   std::size_t start = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const char c = all[i];

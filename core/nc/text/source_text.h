@@ -28,6 +28,9 @@ Result<std::string> decodeText(const std::string& bytes, TextEncoding encoding,
 class SourceText {
  public:
   SourceText(std::string name, std::string path, std::string utf8);
+  /// One program of a file with several: lines `first` up to `end` (indices) of `whole`. Lines keep their
+  /// numbers: those in front of it are blank.
+  SourceText(const SourceText& whole, std::size_t first, std::size_t end);
   SourceText(const SourceText&) = delete;
   SourceText& operator=(const SourceText&) = delete;
 
@@ -36,6 +39,9 @@ class SourceText {
   const std::string& encoding() const { return encoding_; }
   /// Lines without their ends (LF, CR LF or CR); index 0 is line 1.
   const std::vector<std::string_view>& lines() const { return lines_; }
+
+  /// Index of the first line that is the program's own.
+  std::size_t firstLine() const { return first_line_; }
 
   static constexpr int kNoLabel = -1;
   struct Label {
@@ -55,9 +61,11 @@ class SourceText {
   void setBuiltIn() { built_in_ = true; }
 
  private:
+  void splitLines();
   void indexLabels();
   std::string name_, path_, text_, encoding_;
   std::vector<std::string_view> lines_;
+  std::size_t first_line_ = 0;
   struct NumberedLine {
     long long number;
     std::size_t line;

@@ -1,13 +1,15 @@
 // What a run of the wire EDM control is made of. Free functions plan and perform over it.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <array>
 #include <bitset>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/nc/limits/block_watch.h"
+#include "core/nc/flow/run_watch.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/wedm/wedm_chain.h"
 #include "core/nc/wedm/wedm_codes.h"
@@ -62,7 +64,11 @@ struct WedmContext {
         report(sink_in, summary, program, levels, recorder),
         output(sink_in, summary, settings, parameters),
         chain(output, report, parameters),
-        watch(summary, progress, settings_in.block_limit) {}
+        watch(
+            summary, progress, settings_in.block_limit, [this] { return loopState(); },
+            [this](const char* what, const std::string& message) {
+              report.fail(fmt::format("wedm-{}", what), message);
+            }) {}
   WedmContext(const WedmContext&) = delete;
   WedmContext& operator=(const WedmContext&) = delete;
 
@@ -72,7 +78,7 @@ struct WedmContext {
   InterpretSummary summary;
   WedmParameters parameters;
   WedmProgram program;
-  std::vector<WedmLevel> levels;
+  std::vector<FlowFrame> levels;
   WedmState state;
   WedmVariables variables;
   WedmReader reader;
@@ -81,7 +87,11 @@ struct WedmContext {
   WedmReport report;
   WedmOutput output;
   WedmChain chain;
-  BlockWatch watch;
+  RunWatch watch;
+
+ private:
+  /// What a loop may change: the points of the wire, and variables.
+  std::vector<LoopBudget::Named> loopState() const;
 };
 
 }  // namespace proveout::nc

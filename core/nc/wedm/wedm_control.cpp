@@ -2,36 +2,21 @@
 
 #include <fmt/core.h>
 
-#include "core/nc/text/program_likeness.h"
-
 namespace proveout::nc {
 
 namespace {
 
 constexpr std::size_t kMostNestedCalls = 9;
 
-/// What a loop may change: the points of the wire, and variables.
-std::vector<LoopBudget::Named> loopState(const WedmContext& c) {
-  std::vector<LoopBudget::Named> state;
-  for (int h = 0; h < kWedmOffsets; ++h) {
-    if (c.variables.assigned(h)) state.push_back({fmt::format("H{}", h), c.variables.value(h)});
-  }
-  state.push_back({"X", c.state.main.x()});
-  state.push_back({"Y", c.state.main.y()});
-  state.push_back({"U", c.state.uv.x()});
-  state.push_back({"V", c.state.uv.y()});
-  return state;
-}
-
 }  // namespace
 
 WedmControl::WedmControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                          Progress* progress)
-    : c_(source, settings, sink, progress), loops_(settings.block_limit, [this] { return loopState(c_); }) {}
+    : c_(source, settings, sink, progress), loop_(*this, c_.levels, c_.summary, c_.settings) {}
 
 InterpretSummary WedmControl::run() {
   c_.summary.end = ProgramEnd::kAlarm;
-  if (start()) runFrom(0);
+  if (start() && loop_.openMain(programFrom(0))) loop_.run();
   return c_.summary;
 }
 
@@ -49,24 +34,29 @@ bool WedmControl::start() {
   return true;
 }
 
-WedmControl::Go WedmControl::runFrom(std::size_t first, const WedmLevel::Call& call) {
-  c_.levels.push_back({first, -1, call});
-  c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
-  Go go = Go::kOn;
-  for (std::size_t k = first; go == Go::kOn; ++k) {
-    if (k >= c_.program.count()) {
-      go = endOfText();
-      break;
-    }
-    go = block(k);
-    if (go == Go::kOn && until_hit_ && c_.levels.size() == 1) go = finish("until", ProgramEnd::kUntil);
-  }
-  c_.levels.pop_back();
-  if (!c_.levels.empty()) c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
-  return go;
+FlowFrame WedmControl::programFrom(std::size_t block) const {
+  FlowFrame frame;
+  frame.first = block;
+  frame.end = c_.program.count();
+  return frame;
 }
 
-WedmControl::Go WedmControl::endOfText() {
+bool WedmControl::opens() {
+  c_.recorder.openCall();
+  return true;
+}
+
+bool WedmControl::opened() {
+  c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
+  return true;
+}
+
+void WedmControl::closed() {
+  c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
+  c_.recorder.closeCall();
+}
+
+Go WedmControl::endOfText() {
   c_.levels.back().block = c_.program.count() - 1;
   if (c_.levels.size() > 1) {
     c_.report.fail("wedm-8.4-M99", "the subprogram ends without M99");
@@ -74,73 +64,55 @@ WedmControl::Go WedmControl::endOfText() {
     return Go::kStop;
   }
   c_.report.warn("wedm-8.2-M02", "the program ends without M02: is the file cut short?");
-  return finish("end of text", ProgramEnd::kEndOfProgram);
+  return loop_.finish("end of text", ProgramEnd::kEndOfProgram);
 }
 
 bool WedmControl::workOver() {
-  const double done = static_cast<double>(c_.levels.front().block) / static_cast<double>(c_.program.count());
-  const std::size_t line = c_.program.place(c_.levels.back().block).line;
-  const BlockWatch::Over over = c_.watch.count({done, c_.levels.size(), line});
-  if (over == BlockWatch::Over::kLimit) c_.report.fail("wedm-block-limit", c_.watch.message());
-  return over != BlockWatch::Over::kNo;
+  FlowPlace at = flowPlace(c_.levels);
+  at.line = line();
+  return c_.watch.workOver(at) || c_.watch.goesOn(at, c_.chain.kept());
 }
 
-/// Whether calls are repeated without an end in sight: reported then.
-bool WedmControl::goesOn() {
-  const WedmLevel& level = c_.levels.back();
-  const std::size_t line = c_.program.place(level.block).line;
-  const bool over = loops_.arrives(
-      {c_.levels.size(), level.block, line, level.call.number, level.call.repetition, level.call.repetitions},
-      {static_cast<double>(c_.summary.blocks),
-       static_cast<double>(c_.summary.motions) + static_cast<double>(c_.chain.kept())});
-  if (!over) return false;
-  c_.report.fail("wedm-endless-loop", loops_.message());
-  c_.summary.end = ProgramEnd::kBlockLimit;
-  return true;
-}
+std::size_t WedmControl::line() const { return c_.program.place(c_.levels.back().block).line; }
 
-WedmControl::Go WedmControl::block(std::size_t index) {
-  WedmLevel& level = c_.levels.back();
-  level.block = index;
-  level.number = -1;
-  const WedmProgram::Place& place = c_.program.place(index);
+Reading WedmControl::read() {
+  FlowFrame& level = c_.levels.back();
+  const WedmProgram::Place& place = c_.program.place(level.block);
   c_.recorder.begin(place.line + 1, -1);
-  const bool good = c_.reader.read(c_.program.line(index), place.begin, place.end, c_.block);
+  const bool good = c_.reader.read(c_.program.line(level.block), place.begin, place.end, c_.block);
   level.number = c_.block.number;
-  // Blocks that do nothing count: loops of them must have an end.
-  if (workOver() || goesOn()) return Go::kStop;
-  if (c_.block.skip && c_.state.skip == 11) return Go::kOn;
-  if (good && c_.block.empty()) {
-    until_hit_ = until_hit_ || reachedUntil();
-    return Go::kOn;
-  }
-  ++c_.summary.blocks;
-  c_.recorder.begin(place.line + 1, c_.block.number);
-  c_.recorder.clear(KindSet::of(OriginKind::kI, OriginKind::kJ));
-  if (!good) {
-    c_.report.fail("wedm-syntax", c_.reader.error().message, c_.reader.error().columns);
-    return failed();
-  }
-  if (!place.closed) c_.report.warnOnce("wedm-2.1-block", "a block without ';' at its end: the line ends it");
-  return execute();
+  if (c_.block.skip && c_.state.skip == 11) return Reading::kSkipped;
+  if (!good) return Reading::kBad;
+  return c_.block.empty() ? Reading::kEmpty : Reading::kBlock;
 }
 
-WedmControl::Go WedmControl::execute() {
+/// The words of the block in hand are recorded from here on.
+void WedmControl::beginWords() {
+  c_.recorder.begin(static_cast<std::uint32_t>(line() + 1), c_.block.number);
+  c_.recorder.clear(KindSet::of(OriginKind::kI, OriginKind::kJ));
+}
+
+void WedmControl::refuse() {
+  beginWords();
+  c_.report.fail("wedm-syntax", c_.reader.error().message, c_.reader.error().columns);
+}
+
+Go WedmControl::carryOut() {
+  beginWords();
+  if (!c_.program.place(c_.levels.back().block).closed)
+    c_.report.warnOnce("wedm-2.1-block", "a block without ';' at its end: the line ends it");
   WedmPlan p(c_.state);
   c_.variables.mark();
   if (!planWedmBlock(c_, p)) {
     c_.variables.takeBack();
-    return failed();
+    return loop_.failed();
   }
-  const bool reached = reachedUntil();
   if (!perform(p)) {
     c_.summary.end = ProgramEnd::kAlarm;
     return Go::kStop;
   }
   c_.state = p.next;
-  const Go go = flow(p);
-  until_hit_ = until_hit_ || reached;
-  return go;
+  return flow(p);
 }
 
 /// Motion first, then what the machine is sent. False: the contour cannot be run, reported.
@@ -166,9 +138,10 @@ bool WedmControl::perform(WedmPlan& p) {
   return true;
 }
 
-WedmControl::Go WedmControl::flow(const WedmPlan& p) {
+/// Behind an error here the block counts as done.
+Go WedmControl::flow(const WedmPlan& p) {
   if (p.has('M', 2)) {
-    if (closedBehindEnd()) return finish("M02", ProgramEnd::kEndOfProgram);
+    if (closedBehindEnd()) return loop_.finish("M02", ProgramEnd::kEndOfProgram);
     c_.chain.flush();
     c_.summary.end = ProgramEnd::kAlarm;
     return Go::kStop;
@@ -176,7 +149,7 @@ WedmControl::Go WedmControl::flow(const WedmPlan& p) {
   if (p.has('M', 99)) {
     if (c_.levels.size() > 1) return Go::kReturn;
     c_.report.fail("wedm-8.4-M99", "M99 stands at the end of a subprogram: the main program ends with M02");
-    return failed();
+    return loop_.failed(Go::kOn);
   }
   return p.call ? call(*p.call) : Go::kOn;
 }
@@ -191,10 +164,10 @@ bool WedmControl::closedBehindEnd() {
   return c_.report.fail("wedm-syntax", "the comment is not closed: ')' is missing", open->columns);
 }
 
-WedmControl::Go WedmControl::call(const WedmCall& call) {
+Go WedmControl::call(const WedmCall& call) {
   if (c_.levels.size() > kMostNestedCalls) {
     c_.report.fail("wedm-10-nest", "subprograms are nested 9 deep at most: this call would be the tenth");
-    return failed();
+    return loop_.failed(Go::kOn);
   }
   const auto first = c_.program.subprogram(call.label);
   if (!first) {
@@ -202,46 +175,27 @@ WedmControl::Go WedmControl::call(const WedmCall& call) {
                    fmt::format("there is no block N{:04} behind the M02 of the main program: write the "
                                "subprogram there, with M99 at its end",
                                call.label));
-    return failed();
+    return loop_.failed(Go::kOn);
   }
-  const std::uint64_t number = ++calls_;
-  for (int k = 0; k < call.times; ++k) {
-    c_.recorder.openCall();
-    const Go go = runFrom(*first, {number, k, call.times});
-    c_.recorder.closeCall();
-    if (go == Go::kStop) return go;
-  }
-  return Go::kOn;
+  return loop_.call(programFrom(*first), call.times);
 }
 
-WedmControl::Go WedmControl::finish(const char* code, ProgramEnd end) {
-  c_.summary.end = ProgramEnd::kAlarm;
+bool WedmControl::flush(ProgramEnd /*end*/) {
   if (c_.state.overcut_on != 0)
     c_.report.warnOnce("wedm-5.5.5-G36",
                        "the corner overcut G37 is still on: put G36 before leaving the contour");
-  if (!c_.chain.flush()) return Go::kStop;
-  if (c_.settings.until && !until_hit_) {
-    c_.report.fail("wedm-until", "the program ends here; the block to stop after was not reached");
-    return Go::kStop;
-  }
-  c_.summary.end = end;
+  return c_.chain.flush();
+}
+
+void WedmControl::sendEnd(const std::string& code) {
   c_.output.event(event::End{code}, 0.0, c_.report.here());
-  return Go::kStop;
 }
 
-WedmControl::Go WedmControl::failed() {
-  if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
-  if (c_.summary.errors < c_.settings.max_errors && mayBeProgram(c_.program.text())) return Go::kOn;
-  // What was good before the error is cut.
-  c_.chain.flush();
-  c_.summary.end = ProgramEnd::kAlarm;
-  return Go::kStop;
+void WedmControl::tell(const char* what, const std::string& message) {
+  c_.report.fail(fmt::format("wedm-{}", what), message);
 }
 
-bool WedmControl::reachedUntil() const {
-  if (!c_.settings.until || c_.levels.size() != 1) return false;
-  const WedmLevel& main = c_.levels.back();
-  return c_.settings.until->reachedBy(main.number, c_.program.place(main.block).line);
-}
+/// What was good before the error is cut.
+void WedmControl::giveUp() { c_.chain.flush(); }
 
 }  // namespace proveout::nc

@@ -3,16 +3,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <string>
 
-#include "core/nc/limits/loop_budget.h"
+#include "core/nc/flow/run_loop.h"
 #include "core/nc/wedm/wedm_context.h"
 #include "core/nc/wedm/wedm_plan.h"
 
 namespace proveout::nc {
 
-/// The run loop: blocks in their order, calls, ends.
-class WedmControl {
+/// Blocks, calls and ends; RunLoop leads through the programs.
+class WedmControl : private FlowControl {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   WedmControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -21,31 +21,33 @@ class WedmControl {
   InterpretSummary run();
 
  private:
-  enum class Go : std::uint8_t {
-    kOn,
-    kReturn,  ///< from the subprogram
-    kStop     ///< the run is over
-  };
+  Reading read() override;
+  bool workOver() override;
+  /// Loops of blocks that do nothing must have an end too.
+  bool countsAll() const override { return true; }
+  void refuse() override;
+  Go carryOut() override;
+  Go endOfText() override;
+  bool opens() override;
+  bool opened() override;
+  void closed() override;
+  void giveUp() override;
+  bool flush(ProgramEnd end) override;
+  void sendEnd(const std::string& code) override;
+  void tell(const char* what, const std::string& message) override;
+  const SourceText& text() const override { return c_.program.text(); }
+  std::size_t line() const override;
 
   bool start();
-  Go runFrom(std::size_t block, const WedmLevel::Call& call = {});
-  Go endOfText();
-  Go block(std::size_t index);
-  Go execute();
+  FlowFrame programFrom(std::size_t block) const;
+  void beginWords();
   bool perform(WedmPlan& p);
   Go flow(const WedmPlan& p);
   Go call(const WedmCall& call);
-  Go finish(const char* code, ProgramEnd end);
-  Go failed();
-  bool workOver();
-  bool goesOn();
-  bool reachedUntil() const;
   bool closedBehindEnd();
 
   WedmContext c_;
-  bool until_hit_ = false;
-  std::uint64_t calls_ = 0;
-  LoopBudget loops_;
+  RunLoop<FlowFrame> loop_;
 };
 
 }  // namespace proveout::nc

@@ -10,29 +10,18 @@
 #include <vector>
 
 #include "core/nc/control/run_summary.h"
+#include "core/nc/flow/flow_frame.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/wedm/wedm_program.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {
 
-/// The main program, or a call of a subprogram.
-struct WedmLevel {
-  std::size_t block = 0;  ///< in hand, index into the program
-  std::int64_t number = -1;
-  /// Of the call, from 1; 0: the main program.
-  struct Call {
-    std::uint64_t number = 0;
-    int repetition = 0, repetitions = 1;
-  };
-  Call call = {};
-};
-
 class WedmReport {
  public:
   /// All must outlive the report.
   WedmReport(MotionSink& sink, InterpretSummary& summary, const WedmProgram& program,
-             const std::vector<WedmLevel>& levels, OriginRecorder& recorder)
+             const std::vector<FlowFrame>& levels, OriginRecorder& recorder)
       : sink_(sink), summary_(summary), program_(program), levels_(levels), recorder_(recorder) {}
 
   /// Always false. Without columns all of the block.
@@ -56,7 +45,7 @@ class WedmReport {
   MotionSink& sink_;
   InterpretSummary& summary_;
   const WedmProgram& program_;
-  const std::vector<WedmLevel>& levels_;
+  const std::vector<FlowFrame>& levels_;
   OriginRecorder& recorder_;
   std::set<std::string, std::less<>> told_;
 };

@@ -31,8 +31,11 @@ Wl4Context::Wl4Context(bool lathe, const ProgramSource& source, const ControlSet
       reader(evaluator),
       origins(recorder, setup, levels, block, state, variables),
       report(emitter, programs, levels, block, recorder),
-      watch(report, summary, levels, progress, setup.settings.block_limit,
-            [this] { return loopState(*this); }),
+      watch(
+          summary, progress, setup.settings.block_limit, [this] { return loopState(*this); },
+          [this](const char* what, const std::string& message) {
+            report.fail(fmt::format("wl4-{}", what), message);
+          }),
       corner_stage(pipe, report),
       comp_stage(pipe, report),
       frame_stage(chain),

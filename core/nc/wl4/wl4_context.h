@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/nc/control/program_source.h"
 #include "core/nc/control/run_summary.h"
+#include "core/nc/flow/run_watch.h"
 #include "core/nc/kinematics/frames.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/stages/contour_stage.h"
@@ -19,7 +20,6 @@
 #include "core/nc/wl4/wl4_report.h"
 #include "core/nc/wl4/wl4_setup.h"
 #include "core/nc/wl4/wl4_state.h"
-#include "core/nc/wl4/wl4_watch.h"
 
 namespace proveout::nc {
 
@@ -52,7 +52,7 @@ struct Wl4Context {
   Wl4Reader reader;
   Wl4Origins origins;
   Wl4Report report;
-  Wl4Watch watch;
+  RunWatch watch;
 
   // The way to the path.
   CoordinateChain chain;  ///< the pipe's work space is the machine's

@@ -1,4 +1,4 @@
-// The run loop of the WL4 control: blocks in their order, calls, jumps.
+// Blocks of the WL4 control: cycles, calls, jumps, ends.
 #include "core/nc/wl4/wl4_control.h"
 
 #include <fmt/core.h>
@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/nc/text/program_likeness.h"
 #include "core/nc/wl4/wl4_codes.h"
 #include "core/nc/wl4/wl4_functions.h"
 #include "core/nc/wl4/wl4_motion.h"
@@ -24,7 +23,8 @@ constexpr std::size_t kLongestBlock = 80;
 
 Wl4Control::Wl4Control(bool lathe, const ProgramSource& source, const ControlSettings& settings,
                        MotionSink& sink, Progress* progress, const ControlHost& host)
-    : c_(lathe, source, settings, sink, progress, host) {}
+    : c_(lathe, source, settings, sink, progress, host),
+      loop_(*this, c_.levels, c_.summary, c_.setup.settings) {}
 
 InterpretSummary Wl4Control::run() {
   c_.summary.end = ProgramEnd::kAlarm;
@@ -32,8 +32,8 @@ InterpretSummary Wl4Control::run() {
     const Result<const Wl4Program*> main = c_.programs.main();
     if (!main) {
       c_.report.fail("wl4-program", main.error().message);
-    } else {
-      runProgram(**main, {});
+    } else if (loop_.openMain(Wl4Level(**main))) {
+      loop_.run();
     }
   }
   c_.emitter.time().flush();
@@ -59,66 +59,76 @@ bool Wl4Control::start() {
   return true;
 }
 
-Wl4Control::Go Wl4Control::runProgram(const Wl4Program& program, const Wl4Level::Call& call) {
-  c_.levels.push_back({&program, program.first, -1, runs_++, call});
-  if (program.label_count > Wl4Programs::kMostLabels) {
-    c_.report.fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed",
-                                             program.label_count, Wl4Programs::kMostLabels));
-    return Go::kStop;
-  }
-  Go go = Go::kOn;
-  for (std::size_t line = program.first; go == Go::kOn;) {
-    if (line >= program.last) {
-      go = endOfText(program);
-      break;
-    }
-    c_.levels.back().line = line++;
-    c_.levels.back().number = -1;
-    go = block(line);
-    if (go == Go::kOn && until_hit_ && c_.levels.size() == 1) go = finish("until", ProgramEnd::kUntil);
-  }
-  c_.levels.pop_back();
-  return go;
+bool Wl4Control::opens() {
+  if (c_.watch.workOver(flowPlace(c_.levels))) return false;  // the program may be empty
+  c_.variables.open();
+  c_.recorder.openCall();
+  return true;
 }
 
-Wl4Control::Go Wl4Control::endOfText(const Wl4Program& program) {
-  if (program.last > program.first) c_.levels.back().line = program.last - 1;
+bool Wl4Control::opened() {
+  const Wl4Program& program = *c_.levels.back().program;
+  return program.label_count <= Wl4Programs::kMostLabels ||
+         c_.report.fail("wl4-labels", fmt::format("{} labels in a program: at most {} are allowed",
+                                                  program.label_count, Wl4Programs::kMostLabels));
+}
+
+void Wl4Control::closed() {
+  c_.recorder.closeCall();
+  c_.variables.close();
+  c_.block = interrupted_.back().block;
+  c_.origins.beginBlock(c_.block.text);
+}
+
+Go Wl4Control::endOfText() {
+  Wl4Level& level = c_.levels.back();
+  if (level.end > level.first) level.block = level.end - 1;
   if (c_.levels.size() > 1) {
-    c_.report.warnOnce("no M99 " + program.name, "wl4-no-m99",
+    c_.report.warnOnce("no M99 " + level.program->name, "wl4-no-m99",
                        "the subprogram ends without M99: taken as M99");
     return Go::kReturn;
   }
   c_.report.warn("wl4-no-end", "the program ends without M2 or M30: is the file cut short?");
-  return finish("end of text", ProgramEnd::kEndOfProgram);
+  return loop_.finish("end of text", ProgramEnd::kEndOfProgram);
 }
 
-Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
-  const std::string_view line = c_.levels.back().program->line(c_.levels.back().line);
+Reading Wl4Control::read() {
+  Wl4Level& level = c_.levels.back();
+  const std::string_view line = level.program->line(level.block);
   const std::size_t first = behindBlanks(line, 0);
-  if (line.substr(first, 1) == "/" && !c_.setup.parameters.conditional) return Go::kOn;
-  // The text is UTF-8: bytes that go on with a character are none.
-  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
-  const auto length = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins));
-  if (length > kLongestBlock) {
-    c_.report.warnOnce(
-        "long", "wl4-long-block",
-        fmt::format("the block has {} characters: the control takes {}", length, kLongestBlock));
-  }
+  if (line.substr(first, 1) == "/" && !c_.setup.parameters.conditional) return Reading::kSkipped;
+  warnOfLength(line);
   c_.variables.mark();
   c_.origins.beginBlock(line);
   const bool good = c_.reader.read(line, c_.block);
-  c_.levels.back().number = c_.block.number;
-  if (good && c_.block.empty()) {
-    until_hit_ = until_hit_ || reachedUntil();
-    return Go::kOn;
-  }
-  if (c_.watch.workOver() || endless()) return Go::kStop;
-  ++c_.summary.blocks;
-  if (!good) {
-    c_.variables.takeBack();
-    c_.report.fail("wl4-syntax", c_.reader.error().message, c_.reader.error().columns);
-    return failed();
-  }
+  level.number = c_.block.number;
+  if (!good) return Reading::kBad;
+  return c_.block.empty() ? Reading::kEmpty : Reading::kBlock;
+}
+
+void Wl4Control::warnOfLength(std::string_view line) {
+  // The text is UTF-8: bytes that go on with a character are none.
+  const auto begins = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
+  const auto length = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), begins));
+  if (length <= kLongestBlock) return;
+  c_.report.warnOnce("long", "wl4-long-block",
+                     fmt::format("the block has {} characters: the control takes {}", length, kLongestBlock));
+}
+
+bool Wl4Control::workOver() {
+  const FlowPlace at = flowPlace(c_.levels);
+  return c_.watch.workOver(at) ||
+         c_.watch.goesRound(at, c_.variables.fingerprint(),
+                            {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)}) ||
+         c_.watch.goesOn(at);
+}
+
+void Wl4Control::refuse() {
+  c_.variables.takeBack();
+  c_.report.fail("wl4-syntax", c_.reader.error().message, c_.reader.error().columns);
+}
+
+void Wl4Control::warnOfOrder() {
   if (c_.evaluator.mixedPower()) {
     c_.report.warnOnce("power", "wl4-power",
                        "** beside * / MOD without parentheses: they go from left to right");
@@ -130,21 +140,6 @@ Wl4Control::Go Wl4Control::block(std::size_t& next_line) {
         "comparisons, then AND, OR and XOR; the manual names no order among them but from left "
         "to right, which gives another value: put parentheses");
   }
-  if (isOwnError(c_.levels.back().line)) {
-    const std::string text(c_.block.comment.empty() ? std::string_view("the program stops itself")
-                                                    : c_.block.comment);
-    c_.report.fail(fmt::format("wl4-err-N{}", c_.block.number), text);
-    c_.summary.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  }
-  return execute(next_line);
-}
-
-/// Whether the program is in a loop without an end: reported then.
-bool Wl4Control::endless() {
-  return c_.watch.goesRound(c_.variables.fingerprint(),
-                            {LoopWatch::bytesOf(c_.state), LoopWatch::bytesOf(c_.machine)}) ||
-         c_.watch.goesOn();
 }
 
 /// `N010 M0 N10 .text`: a program reports an error by stopping for ever.
@@ -156,27 +151,57 @@ bool Wl4Control::isOwnError(std::size_t here) const {
   return std::any_of(c_.block.m.begin(), c_.block.m.end(), [](const auto& m) { return m.number == 0; });
 }
 
-Wl4Control::Go Wl4Control::execute(std::size_t& next_line) {
+Go Wl4Control::carryOut() {
+  warnOfOrder();
+  if (isOwnError(c_.levels.back().block)) {
+    const std::string text(c_.block.comment.empty() ? std::string_view("the program stops itself")
+                                                    : c_.block.comment);
+    c_.report.fail(fmt::format("wl4-err-N{}", c_.block.number), text);
+    c_.summary.end = ProgramEnd::kAlarm;
+    return Go::kStop;
+  }
   Wl4BlockPlan p;
   if (!goToToolChange(c_) || !planBlock(c_, p)) {
     c_.variables.takeBack();
-    return failed();
+    return loop_.failed();
   }
-  const bool reached = reachedUntil();
   c_.origins.recordWords(p);
-  if (!performFunctions(c_, p, Wl4Phase::kStart) || !carryOut(p)) return failed();
+  if (!performFunctions(c_, p, Wl4Phase::kStart) || !perform(p)) return loop_.failed();
   commit(p);
-  Go go = cycles(p);
-  if (go != Go::kOn) return go;
-  if (!performFunctions(c_, p, Wl4Phase::kEnd)) return failed();
-  if (c_.block.has('L')) go = subprograms();
-  if (go != Go::kOn) return go;
-  until_hit_ = until_hit_ || reached;
-  return flow(next_line);
+  return goOn(p, Part::kMotion);
+}
+
+/// The block from behind `done` on: its cycle, its functions and subprograms, its end or jump.
+Go Wl4Control::goOn(Wl4BlockPlan& p, Part done) {
+  if (done == Part::kMotion) {
+    if (const Go go = cycles(p); go != Go::kOn) return go;
+    done = Part::kCycle;
+  }
+  if (done == Part::kCycle) {
+    if (!performFunctions(c_, p, Wl4Phase::kEnd)) return loop_.failed();
+    const Go go = c_.block.has('L') ? subprograms() : Go::kOn;
+    if (go == Go::kCalls) interrupted_.push_back({c_.block, p, Part::kSubprograms, {}});
+    if (go != Go::kOn) return go;
+  }
+  loop_.blockDone();
+  return flow();
+}
+
+Go Wl4Control::resume() {
+  Interrupted block = std::move(interrupted_.back());
+  interrupted_.pop_back();
+  if (block.done == Part::kCycle) {
+    if (block.fixed_cycle) {
+      c_.recorder.put(OriginKind::kCycle, *block.fixed_cycle);
+    } else {
+      in_cycle_ = false;
+    }
+  }
+  return goOn(block.plan, block.done);
 }
 
 /// The deed of the block, or its motion.
-bool Wl4Control::carryOut(Wl4BlockPlan& p) {
+bool Wl4Control::perform(Wl4BlockPlan& p) {
   if (p.deed == nullptr) return !p.moves || performMotion(c_, p);
   return p.deed->perform == nullptr || p.deed->perform(c_, p);
 }
@@ -191,26 +216,27 @@ void Wl4Control::commit(Wl4BlockPlan& p) {
 }
 
 /// The program of the deed, or of the fixed cycle in force behind a motion.
-Wl4Control::Go Wl4Control::cycles(const Wl4BlockPlan& p) {
+Go Wl4Control::cycles(const Wl4BlockPlan& p) {
   if (p.deed != nullptr) {
     if (p.deed->program.empty() || p.contour) return Go::kOn;
     c_.state.open_cycle = p.deed->code;
     const OriginRecorder::Slot fixed_cycle = c_.recorder.slot(OriginKind::kCycle);
     c_.origins.recordOpenCycle(p);
     const Go go = call(std::string(p.deed->program), 1);
-    c_.recorder.put(OriginKind::kCycle, fixed_cycle);
+    if (go == Go::kCalls) interrupted_.push_back({c_.block, p, Part::kCycle, fixed_cycle});
+    if (go == Go::kOn) c_.recorder.put(OriginKind::kCycle, fixed_cycle);
     return go;
   }
   if (c_.state.cycle == 80 || in_cycle_ || !p.named.any()) return Go::kOn;
-  in_cycle_ = true;
   c_.origins.recordFixedCycle();
   const Go go = call(std::string(wl4GCode(c_.state.cycle)->program), 1);
-  in_cycle_ = false;
+  in_cycle_ = go == Go::kCalls;
+  if (in_cycle_) interrupted_.push_back({c_.block, p, Part::kCycle, {}});
   return go;
 }
 
 /// Ends, returns and jumps of the block.
-Wl4Control::Go Wl4Control::flow(std::size_t& next_line) {
+Go Wl4Control::flow() {
   for (const Wl4Block::Code& m : c_.block.m) {
     const Wl4Flow flow = wl4MCode(m.number).flow;
     if (flow == Wl4Flow::kOn) continue;
@@ -218,42 +244,27 @@ Wl4Control::Go Wl4Control::flow(std::size_t& next_line) {
       if (c_.levels.size() > 1) return Go::kReturn;
       c_.report.warn("wl4-main-m99", "M99 in the main program: taken as its end", {}, Severity::kNote);
     }
-    return finish(fmt::format("M{}", m.number), ProgramEnd::kEndOfProgram);
+    return loop_.finish(fmt::format("M{}", m.number), ProgramEnd::kEndOfProgram);
   }
-  return c_.block.jump ? jump(*c_.block.jump, next_line) : Go::kOn;
+  return c_.block.jump ? jump(*c_.block.jump) : Go::kOn;
 }
 
-Wl4Control::Go Wl4Control::failed() {
-  if (c_.summary.end == ProgramEnd::kCancelled || c_.summary.end == ProgramEnd::kBlockLimit) return Go::kStop;
+void Wl4Control::recover() {
   c_.pipe.clear();
   c_.machine = c_.emitter.machine();
-  const bool told_whole = !c_.levels.empty() && !mayBeProgram(*c_.levels.back().program->text);
-  if (c_.summary.errors < c_.setup.settings.max_errors && !told_whole) return Go::kOn;
-  c_.summary.end = ProgramEnd::kAlarm;
-  return Go::kStop;
 }
 
-Wl4Control::Go Wl4Control::finish(const std::string& code, ProgramEnd end) {
-  if (!c_.pipe.flush(FlushReason::kEnd)) {
-    c_.summary.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  }
-  if (c_.setup.settings.until && !until_hit_) {
-    c_.report.fail("wl4-until", "the program ends here; the block to stop after was not reached");
-    c_.summary.end = ProgramEnd::kAlarm;
-    return Go::kStop;
-  }
-  c_.summary.end = end;
+bool Wl4Control::flush(ProgramEnd /*end*/) { return c_.pipe.flush(FlushReason::kEnd); }
+
+void Wl4Control::sendEnd(const std::string& code) {
   c_.emitter.event(event::End{code}, 0.0, c_.report.here());
-  return Go::kStop;
 }
 
-bool Wl4Control::reachedUntil() const {
-  if (!c_.setup.settings.until || c_.levels.size() != 1) return false;
-  return c_.setup.settings.until->reachedBy(c_.levels.back().number, c_.levels.back().line);
+void Wl4Control::tell(const char* what, const std::string& message) {
+  c_.report.fail(fmt::format("wl4-{}", what), message);
 }
 
-Wl4Control::Go Wl4Control::subprograms() {
+Go Wl4Control::subprograms() {
   // By digits: two for the program, the rest are repetitions; the value has lost leading zeros.
   const Columns at = c_.block.at('L');
   const std::string_view text = c_.block.text.substr(static_cast<std::size_t>(at.begin),
@@ -276,42 +287,30 @@ Wl4Control::Go Wl4Control::subprograms() {
   return call(name, times);
 }
 
-Wl4Control::Go Wl4Control::call(const std::string& name, int times) {
+/// Behind an error here the block goes on.
+Go Wl4Control::call(const std::string& name, int times) {
   if (c_.levels.size() > kMostNested) {
     c_.report.fail("wl4-nesting",
                    fmt::format("program {} is the sixth level of calls: five are allowed", name));
-    return failed();
+    return loop_.failed(Go::kOn);
   }
   const Result<const Wl4Program*> program = c_.programs.find(name);
   if (!program) {
     c_.report.fail("wl4-program", program.error().message);
-    return failed();
+    return loop_.failed(Go::kOn);
   }
-  const Wl4Block caller = c_.block;  // the program reads its own
-  const std::uint64_t number = ++calls_;
-  for (int k = 0; k < times; ++k) {
-    if (c_.watch.workOver()) return Go::kStop;  // the program may be empty
-    c_.variables.open();
-    c_.recorder.openCall();
-    const Go go = runProgram(**program, {number, k, times});
-    c_.recorder.closeCall();
-    c_.variables.close();
-    if (go == Go::kStop) return go;
-    c_.block = caller;
-    c_.origins.beginBlock(c_.block.text);
-  }
-  return Go::kOn;
+  return loop_.call(Wl4Level(**program), times);
 }
 
-Wl4Control::Go Wl4Control::jump(std::int64_t label, std::size_t& next_line) {
+Go Wl4Control::jump(std::int64_t label) {
   const auto& labels = c_.levels.back().program->labels;
   const auto target = labels.find(label);
   if (target == labels.end()) {
     c_.report.fail("wl4-label", fmt::format("there is no label N0{} in this program", label),
                    c_.block.jump_columns);
-    return failed();
+    return loop_.failed();
   }
-  next_line = target->second;
+  loop_.jump(target->second);
   return Go::kOn;
 }
 

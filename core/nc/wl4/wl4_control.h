@@ -4,14 +4,19 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "core/nc/flow/run_loop.h"
+#include "core/nc/wl4/wl4_block_plan.h"
 #include "core/nc/wl4/wl4_context.h"
 
 namespace proveout::nc {
 
-/// The run loop: blocks in their order, calls, jumps.
-class Wl4Control {
+/// Blocks, cycles, calls and jumps; RunLoop leads through the programs.
+class Wl4Control : private FlowControl {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   Wl4Control(bool lathe, const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -20,34 +25,49 @@ class Wl4Control {
   InterpretSummary run();
 
  private:
-  enum class Go : std::uint8_t {
-    kOn,
-    kReturn,  ///< from the subprogram
-    kStop     ///< the run is over
+  /// What of a block has been done when a program returns to it.
+  enum class Part : std::uint8_t { kMotion, kCycle, kSubprograms };
+  /// A block that has called a program, to go on behind it.
+  struct Interrupted {
+    Wl4Block block;
+    Wl4BlockPlan plan;
+    Part done;
+    std::optional<OriginRecorder::Slot> fixed_cycle;  ///< of the words, behind an open cycle
   };
 
+  Reading read() override;
+  bool workOver() override;
+  void refuse() override;
+  Go carryOut() override;
+  Go resume() override;
+  Go endOfText() override;
+  bool opens() override;
+  bool opened() override;
+  void closed() override;
+  void recover() override;
+  bool flush(ProgramEnd end) override;
+  void sendEnd(const std::string& code) override;
+  void tell(const char* what, const std::string& message) override;
+  const SourceText& text() const override { return *c_.levels.back().program->text; }
+  std::size_t line() const override { return c_.levels.back().block; }
+
   bool start();
-  Go runProgram(const Wl4Program& program, const Wl4Level::Call& call);
-  Go endOfText(const Wl4Program& program);
-  Go block(std::size_t& next_line);
-  bool endless();
+  void warnOfLength(std::string_view line);
+  void warnOfOrder();
   bool isOwnError(std::size_t here) const;
-  Go execute(std::size_t& next_line);
-  bool carryOut(Wl4BlockPlan& p);
+  Go goOn(Wl4BlockPlan& p, Part done);
+  bool perform(Wl4BlockPlan& p);
   void commit(Wl4BlockPlan& p);
   Go cycles(const Wl4BlockPlan& p);
-  Go flow(std::size_t& next_line);
-  Go failed();
-  Go finish(const std::string& code, ProgramEnd end);
-  bool reachedUntil() const;
+  Go flow();
   Go subprograms();
   Go call(const std::string& name, int times);
-  Go jump(std::int64_t label, std::size_t& next_line);
+  Go jump(std::int64_t label);
 
   Wl4Context c_;
+  RunLoop<Wl4Level> loop_;
   bool in_cycle_ = false;  ///< inside a fixed cycle: motions do not call it again
-  bool until_hit_ = false;
-  std::uint64_t runs_ = 0, calls_ = 0;  ///< programs opened; calls that opened them
+  std::vector<Interrupted> interrupted_;
 };
 
 }  // namespace proveout::nc

@@ -17,7 +17,7 @@ Diagnostic Wl4Report::diagnosticAt(Severity severity, std::string code, std::str
   const SourceText* const text = levels_.empty() ? nullptr : &programs_.text(at.file);
   Diagnostic d = nc::diagnosticAt(text, at, columns, severity, std::move(code), std::move(message));
   for (std::size_t level = levels_.size(); level-- > 1 && at.line > 0;)
-    d.notes.push_back(calledFrom(*levels_[level - 1].program->text, levels_[level - 1].line + 1));
+    d.notes.push_back(calledFrom(*levels_[level - 1].program->text, levels_[level - 1].block + 1));
   return d;
 }
 
@@ -48,9 +48,9 @@ void Wl4Report::warnOnce(const std::string& key, std::string code, std::string m
 bool Wl4Report::contourError(SharedAlarm alarm, std::string_view subject, std::string_view detail,
                              const PathItem& at) {
   static const AlarmTable kTable{
-      {SharedAlarm::kCorner, "wl4-chamfer", "illegal chamfer or rounding"},
-      {SharedAlarm::kCornerTooLarge, "wl4-chamfer", "chamfer or rounding too large"},
-  };
+      "wl4",
+      {{SharedAlarm::kCorner, 0, "chamfer", "illegal chamfer or rounding"},
+       {SharedAlarm::kCornerTooLarge, 0, "chamfer", "chamfer or rounding too large"}}};
   emitter_.diagnostic(diagnosticAt(Severity::kError, kTable.code(alarm),
                                    kTable.message(alarm, subject, detail), at.source, {}));
   return false;

@@ -26,6 +26,8 @@ const std::vector<std::string> kFloors = {"core/base",
                                           "core/mesh",
                                           "core/path",
                                           "core/tool",
+                                          "core/nc/control",
+                                          "core/nc/limits",
                                           "core/nc",
                                           "core/nc/registry",
                                           "removal/grid",
@@ -66,8 +68,8 @@ const std::vector<std::string> kFloors = {"core/base",
                                           "app"};
 /// Rooms of the largest knot: the checks of a program.
 constexpr std::size_t kLargestKnot = 5;
-/// Folders of the largest: context, model, stages and tables of core/nc/nct.
-constexpr std::size_t kLargestFolderKnot = 4;
+/// Folders of the largest: context, model and stages of core/nc/iso.
+constexpr std::size_t kLargestFolderKnot = 3;
 constexpr std::size_t kMostFiles = 45;
 
 /// The files of the product with the files of it that they include.
@@ -164,6 +166,22 @@ TEST(IncludeGraph, FoldersIncludeWhatIsBelow) {
   }
 }
 
+/// The run loop stands between the limits of a run and the controls.
+TEST(IncludeGraph, TheRunLoopKnowsNoControl) {
+  const std::vector<std::string> below = {"core/base/", "core/nc/control/", "core/nc/limits/", "core/nc/text/",
+                                          "core/nc/flow/"};
+  std::size_t files = 0;
+  for (const auto& [file, included] : includes()) {
+    if (!file.starts_with("core/nc/flow/")) continue;
+    ++files;
+    for (const std::string& other : included) {
+      const auto isIn = [&](const std::string& folder) { return other.starts_with(folder); };
+      EXPECT_TRUE(std::any_of(below.begin(), below.end(), isIn)) << file << ": " << other;
+    }
+  }
+  EXPECT_GT(files, 2u);
+}
+
 TEST(IncludeGraph, KnotsOfRoomsAreSmall) {
   Graph rooms;
   for (const auto& [file, included] : includes()) {
@@ -197,6 +215,25 @@ TEST(IncludeGraph, FoldersAreNoCorridors) {
   std::map<std::string, std::size_t> files;
   for (const auto& [file, included] : includes()) ++files[folderOf(file)];
   for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFiles) << folder;
+}
+
+/// What all controls of the ISO family do knows none of them: they hand in tables.
+TEST(IsoWall, TheSharedCodeNamesNoControl) {
+  const fs::path root(PROVEOUT_SOURCE_DIR);
+  std::size_t seen = 0;
+  for (const auto& [file, included] : includes()) {
+    if (!file.starts_with("core/nc/iso/")) continue;
+    ++seen;
+    for (const std::string& other : included) {
+      for (const char* control : {"nct/", "wl4/", "flexnc/", "wedm/", "registry/"})
+        EXPECT_FALSE(other.starts_with(std::string("core/nc/") + control)) << file << ": " << other;
+    }
+    std::ifstream in(root / file);
+    const std::string all((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    for (const char* name : {"\"nct", "ControlId"})
+      EXPECT_EQ(all.find(name), std::string::npos) << file << ": " << name;
+  }
+  EXPECT_GT(seen, 100u);
 }
 
 /// What a process is shows in its row and in its workpieces alone: with another one nothing else changes.

@@ -1,9 +1,9 @@
 // Variables, open programs and alarm texts of the nct control.
 #include <gtest/gtest.h>
 
+#include "core/nc/iso/model/call_stack.h"
 #include "core/nc/macro/variables.h"
-#include "core/nc/nct/model/alarms.h"
-#include "core/nc/nct/model/call_stack.h"
+#include "core/nc/nct/alarms.h"
 
 namespace proveout::nc {
 namespace {

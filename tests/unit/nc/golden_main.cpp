@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/alarms.h"
 #include "core/nc/registry/coverage.h"
 #include "core/path/origin_query.h"
 #include "golden_case.h"

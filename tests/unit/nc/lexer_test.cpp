@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/alarms.h"
 
 namespace proveout::nc {
 namespace {

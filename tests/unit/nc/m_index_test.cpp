@@ -1,9 +1,11 @@
 // Rows of M codes: the control's own beside what parameters and settings make of others.
-#include "core/nc/nct/model/m_index.h"
+#include "core/nc/iso/model/m_index.h"
 
 #include <gtest/gtest.h>
 
 #include "core/nc/control/control_settings.h"
+#include "core/nc/nct/dialect.h"
+#include "core/nc/nct/parameters/nct_parameters.h"
 
 namespace proveout::nc {
 namespace {
@@ -17,7 +19,7 @@ class MIndexTest : public testing::Test {
   void set(const std::map<std::string, double>& values) { ASSERT_TRUE(parameters_.set(values).ok()); }
 
   ControlSettings settings_;
-  NctParameters parameters_;
+  IsoParameters parameters_{nctParameters()};
   MIndex index_{nctCodes(), settings_};
 };
 

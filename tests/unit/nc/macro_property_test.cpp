@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/nc/macro/expression.h"
-#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/alarms.h"
 #include "core/nc/registry/interpreter.h"
 #include "core/path/toolpath.h"
 

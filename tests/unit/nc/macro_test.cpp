@@ -11,7 +11,7 @@
 #include "core/geometry/degrees.h"
 #include "core/nc/macro/expression.h"
 #include "core/nc/macro/loop_index.h"
-#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/alarms.h"
 
 namespace proveout::nc {
 namespace {

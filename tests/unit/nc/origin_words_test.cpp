@@ -7,7 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "core/nc/nct/model/codes.h"
+#include "core/nc/iso/model/codes.h"
+#include "core/nc/nct/dialect.h"
 #include "core/path/line_word.h"
 
 namespace proveout {

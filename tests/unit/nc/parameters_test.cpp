@@ -1,15 +1,16 @@
 // Parameters of the nct control: by name from the job, by number from the program.
-#include "core/nc/nct/parameters/parameters.h"
+#include "core/nc/iso/parameters/parameters.h"
 
 #include <gtest/gtest.h>
 
 #include "core/nc/control/control_settings.h"
+#include "core/nc/nct/parameters/nct_parameters.h"
 
 namespace proveout::nc {
 namespace {
 
 TEST(Parameters, DefaultsAreThoseOfTheTable) {
-  const NctParameters parameters;
+  const IsoParameters parameters{nctParameters()};
   EXPECT_EQ(parameters[MotionParam::kRadiusDifference], 2);
   EXPECT_EQ(parameters[CycleParam::kBoreRetract], 100);
   EXPECT_TRUE(parameters.flag(MachineParam::kSpindleOrients, 16));
@@ -17,12 +18,12 @@ TEST(Parameters, DefaultsAreThoseOfTheTable) {
 }
 
 TEST(Parameters, TablesAgreeWithTheirEnumerations) {
-  EXPECT_EQ(motionParams()[static_cast<std::size_t>(MotionParam::kRadiusDifference)].name, "N1339");
-  EXPECT_EQ(machineParams()[static_cast<std::size_t>(MachineParam::kToolChangeOnM6)].name, "N1338.M06");
-  EXPECT_EQ(compParams()[static_cast<std::size_t>(CompParam::kMinCompStep)].name, "N1405");
-  EXPECT_EQ(cyclesParams()[static_cast<std::size_t>(CycleParam::kTapRetract)].name, "N1506");
+  EXPECT_EQ(nctParameters().row(MotionParam::kRadiusDifference).name, "N1339");
+  EXPECT_EQ(nctParameters().row(MachineParam::kToolChangeOnM6).name, "N1338.M06");
+  EXPECT_EQ(nctParameters().row(CompParam::kMinCompStep).name, "N1405");
+  EXPECT_EQ(nctParameters().row(CycleParam::kTapRetract).name, "N1506");
   for (std::size_t c = 0; c < static_cast<std::size_t>(ParamChapter::kCount); ++c) {
-    for (const ParamInfo& info : paramTable(static_cast<ParamChapter>(c))) {
+    for (const ParamInfo& info : nctParameters().chapter(static_cast<ParamChapter>(c))) {
       EXPECT_TRUE(info.min <= info.default_value && info.default_value <= info.max) << info.name;
       if (info.number < 0) {  // the manual names it without a number
         EXPECT_TRUE(info.name.starts_with("CLR.") || info.name.starts_with("BUF.")) << info.name;
@@ -36,7 +37,7 @@ TEST(Parameters, TablesAgreeWithTheirEnumerations) {
 }
 
 TEST(Parameters, NamesMayEndInANumber) {
-  NctParameters parameters;
+  IsoParameters parameters{nctParameters()};
   ASSERT_TRUE(parameters.set({{"N0607.ORI", 0}, {"N0607.INX.3", 0}}).ok());
   EXPECT_FALSE(parameters.flag(MachineParam::kSpindleOrients, 1));
   EXPECT_FALSE(parameters.flag(MachineParam::kSpindleOrients, 16));
@@ -49,7 +50,7 @@ TEST(Parameters, NamesMayEndInANumber) {
 }
 
 TEST(Parameters, ProgramsReachThemByNumberAndBit) {
-  NctParameters parameters;
+  IsoParameters parameters{nctParameters()};
   double value = 0;
   EXPECT_EQ(parameters.write(1339, kWholeParam, 0, 0.5, false), ParamStatus::kOk);
   EXPECT_EQ(parameters.write(1339, kWholeParam, 0, 0.25, true), ParamStatus::kOk);

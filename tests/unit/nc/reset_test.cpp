@@ -7,7 +7,8 @@
 #include <set>
 #include <string>
 
-#include "core/nc/nct/program/control.h"
+#include "core/nc/iso/program/control.h"
+#include "core/nc/nct/dialect.h"
 
 namespace proveout::nc {
 namespace {
@@ -24,17 +25,17 @@ class Ended {
     AxisSettings axis;
     axis.name = "C";
     settings_.axes.push_back(axis);
-    control_ = std::make_unique<NctControl>(source_, settings_, sink_, nullptr, ControlHost{});
+    control_ = std::make_unique<IsoControl>(nctDialect(), source_, settings_, sink_, nullptr, ControlHost{});
     summary_ = control_->run();
     EXPECT_TRUE(summary_.ok()) << program
                                << (path_.diagnostics.all().empty() ? "" : path_.diagnostics.all()[0].message);
   }
-  NctContext& c() { return control_->context(); }
+  IsoContext& c() { return control_->context(); }
   /// Code of a group, G number times ten.
-  int code(NctGroup group) { return c().state.active[static_cast<std::size_t>(group)]; }
+  int code(IsoGroup group) { return c().state.active[static_cast<std::size_t>(group)]; }
   std::map<int, int> codes() {
     std::map<int, int> all;
-    for (int group = 1; group < kGroupCount; ++group) all[group] = code(static_cast<NctGroup>(group));
+    for (int group = 1; group < kGroupCount; ++group) all[group] = code(static_cast<IsoGroup>(group));
     return all;
   }
 
@@ -43,7 +44,7 @@ class Ended {
   ControlSettings settings_;
   Toolpath path_;
   ToolpathBuilder sink_{path_};
-  std::unique_ptr<NctControl> control_;
+  std::unique_ptr<IsoControl> control_;
   InterpretSummary summary_;
 };
 
@@ -63,13 +64,13 @@ const std::map<int, int> kStars{
 
 TEST(Reset, PowerOnSetsTheCodesWithAStar) {
   Ended run("X0\n");
-  for (const auto& [group, code] : kStars) EXPECT_EQ(run.code(static_cast<NctGroup>(group)), code) << group;
+  for (const auto& [group, code] : kStars) EXPECT_EQ(run.code(static_cast<IsoGroup>(group)), code) << group;
 }
 
 TEST(Reset, BitsOfN1300AndN1301ChooseAtPowerOnAndAtTheEnd) {
   struct Choice {
     const char* bit;
-    NctGroup group;
+    IsoGroup group;
     int code;
   };
   for (const Choice& choice :

@@ -2,17 +2,17 @@
 // Proves nct-23.1.15-abskp nct-15.1-N1401 nct-23.1.14-#4401 nct-23.1.14-#4501
 // nct-23.1.14-#4502 nct-23.1.14-#4503 nct-23.1.14-#4507 nct-23.1.14-#4508 nct-23.1.14-#4509 nct-23.1.14-#4511
 // nct-23.1.14-#4513 nct-23.1.14-#4514 nct-23.1.14-#4515 nct-23.1.14-#4519 nct-23.1.14-#4520 nct-23.1.14-#4530
-#include "core/nc/nct/system_variables/system_variables.h"
-
 #include <gtest/gtest.h>
 
 #include <memory>
 #include <string>
 
-#include "core/nc/nct/context/context.h"
-#include "core/nc/nct/context/output.h"
-#include "core/nc/nct/model/offset_tables.h"
-#include "core/nc/nct/program/reset.h"
+#include "core/nc/iso/context/context.h"
+#include "core/nc/iso/context/output.h"
+#include "core/nc/iso/model/offset_tables.h"
+#include "core/nc/iso/program/reset.h"
+#include "core/nc/iso/system_variables/all_banks.h"
+#include "core/nc/nct/dialect.h"
 
 namespace proveout::nc {
 namespace {
@@ -22,8 +22,9 @@ class SystemVariablesTest : public testing::Test {
   SystemVariablesTest() : source_("O0042.nc", "M30\n"), sink_(path_) {
     settings_.start = Vec3::Zero();
     settings_.work_offsets[0] = Vec3(0, 0, 20);
-    context_ = std::make_unique<NctContext>(source_, settings_, sink_, nullptr, ControlHost{}, summary_);
-    variables_ = std::make_unique<SystemVariables>(*context_);
+    context_ = std::make_unique<IsoContext>(nctDialect(), source_, settings_, sink_, nullptr, ControlHost{},
+                                            summary_);
+    variables_ = nctDialect().system_variables(*context_);
     CallFrame frame;
     const ProgramStore::Loaded main = context_->programs.main();
     frame.text = main.text;
@@ -36,14 +37,14 @@ class SystemVariablesTest : public testing::Test {
     EXPECT_EQ(context_->variables.read(number, out), VariableStatus::kDone) << number;
     return out.vacant ? -1e99 : out.number;
   }
-  NctContext& c() { return *context_; }
+  IsoContext& c() { return *context_; }
 
   MemoryProgramSource source_;
   ControlSettings settings_;
   Toolpath path_;
   ToolpathBuilder sink_;
   InterpretSummary summary_;
-  std::unique_ptr<NctContext> context_;
+  std::unique_ptr<IsoContext> context_;
   std::unique_ptr<SystemVariables> variables_;
 };
 
@@ -73,7 +74,7 @@ TEST_F(SystemVariablesTest, OfTheInterruptedBlock) {
   EXPECT_EQ(read(4530), kVacant);
   InterruptedBlock block;
   block.program = 42;
-  NctState& s = block.state;
+  IsoState& s = block.state;
   s = c().state;
   s.active[kGroupMotion] = 842;
   s.d = 7;

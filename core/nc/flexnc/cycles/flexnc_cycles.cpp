@@ -9,7 +9,6 @@
 #include "core/geometry/to_float.h"
 #include "core/nc/flexnc/flexnc_motion.h"
 #include "core/nc/flexnc/flexnc_origins.h"
-#include "core/nc/flexnc/flexnc_watch.h"
 
 namespace proveout::nc {
 
@@ -82,7 +81,7 @@ bool sendMoves(FlexContext& c, std::size_t code, const std::vector<CycleMove>& m
   std::uint32_t number = 0;
   for (const CycleMove& move : moves) {
     origins.move(++number, move);
-    if (flexWorkOver(c) || !sendMove(c, move)) return false;
+    if (c.watch.workOver(flowPlace(c.levels)) || !sendMove(c, move)) return false;
   }
   origins.place(number + 1);
   c.cycle.chain_source = c.report.here();

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/nct/model/codes.h"
+#include "core/nc/iso/model/codes.h"
 
 namespace proveout::nc {
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/axis.h"
+#include "core/nc/iso/parameters/axis.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

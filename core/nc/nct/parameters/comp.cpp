@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/comp.h"
+#include "core/nc/iso/parameters/comp.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

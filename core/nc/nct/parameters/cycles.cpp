@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/cycles.h"
+#include "core/nc/iso/parameters/cycles.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/data.h"
+#include "core/nc/iso/parameters/data.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/feeds.h"
+#include "core/nc/iso/parameters/feeds.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

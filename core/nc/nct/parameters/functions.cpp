@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/functions.h"
+#include "core/nc/iso/parameters/functions.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/machine.h"
+#include "core/nc/iso/parameters/machine.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/macro.h"
+#include "core/nc/iso/parameters/macro.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

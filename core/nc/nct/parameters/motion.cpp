@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/motion.h"
+#include "core/nc/iso/parameters/motion.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/program.h"
+#include "core/nc/iso/parameters/program.h"
 
 #include "core/nc/nct/parameters/rows.h"
 
@@ -6,9 +6,6 @@ namespace proveout::nc {
 namespace {
 
 using namespace param_rows;
-
-/// The manual names these without a number: programs cannot reach them.
-constexpr int kNoNumber = -1;
 
 constexpr std::array<ParamInfo, static_cast<std::size_t>(ProgramParam::kCount)> kProgramRows{{
     atPowerOn(

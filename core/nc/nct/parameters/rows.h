@@ -1,35 +1,25 @@
-// Makers of parameter rows, for the files of this folder only.
+// The chapters of the parameter table.
 #pragma once
 
 #include <array>
+#include <span>
 
-#include "core/nc/nct/parameters/parameter_types.h"
+#include "core/nc/iso/parameters/parameter_rows.h"
 
-namespace proveout::nc::param_rows {
+namespace proveout::nc {
 
-constexpr ParamScope kGlobal = ParamScope::kGlobal;
-constexpr ParamScope kChannel = ParamScope::kChannel;
-constexpr ParamScope kAxis = ParamScope::kAxis;
-constexpr ParamScope kSpindle = ParamScope::kSpindle;
+std::span<const ParamInfo> motionParams();
+std::span<const ParamInfo> machineParams();
+std::span<const ParamInfo> compParams();
+std::span<const ParamInfo> cyclesParams();
+std::span<const ParamInfo> macroParams();
+std::span<const ParamInfo> feedParams();
+std::span<const ParamInfo> dataParams();
+std::span<const ParamInfo> axisParams();
+std::span<const ParamInfo> toolParams();
+std::span<const ParamInfo> spindleParams();
+std::span<const ParamInfo> functionParams();
+std::span<const ParamInfo> programParams();
+std::span<const ParamInfo> safetyParams();
 
-constexpr ParamInfo number(std::string_view name, int no, ParamScope scope, double default_value, double min,
-                           double max, std::string_view meaning) {
-  return {name, no, kWholeParam, scope, default_value, min, max, meaning};
-}
-constexpr ParamInfo bit(std::string_view name, int no, int position, ParamScope scope, double default_value,
-                        std::string_view meaning) {
-  return {name, no, position, scope, default_value, 0, 1, meaning};
-}
-/// A row that programs cannot change.
-constexpr ParamInfo atPowerOn(ParamInfo row) {
-  row.restart = true;
-  return row;
-}
-
-/// A row without effect in the simulation: the rule for what only the machine or the person at it can do.
-constexpr ParamInfo noted(ParamInfo row) {
-  row.noted = true;
-  return row;
-}
-
-}  // namespace proveout::nc::param_rows
+}  // namespace proveout::nc

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/safety.h"
+#include "core/nc/iso/parameters/safety.h"
 
 #include "core/nc/nct/parameters/rows.h"
 
@@ -40,16 +40,5 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(SafetyParam::kCount)> k
 }  // namespace
 
 std::span<const ParamInfo> safetyParams() { return kSafetyRows; }
-
-bool givesStroke(const std::map<std::string, double>& values) {
-  for (const SafetyParam end : {SafetyParam::kStrokeAHigh, SafetyParam::kStrokeALow,
-                                SafetyParam::kStrokeBHigh, SafetyParam::kStrokeBLow}) {
-    // No other parameter's name begins with one of these.
-    const std::string name(kSafetyRows[static_cast<std::size_t>(end)].name);
-    const auto given = values.lower_bound(name);
-    if (given != values.end() && given->first.starts_with(name)) return true;
-  }
-  return false;
-}
 
 }  // namespace proveout::nc

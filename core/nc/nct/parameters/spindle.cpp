@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/spindle.h"
+#include "core/nc/iso/parameters/spindle.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

@@ -1,4 +1,4 @@
-#include "core/nc/nct/parameters/tools.h"
+#include "core/nc/iso/parameters/tools.h"
 
 #include "core/nc/nct/parameters/rows.h"
 

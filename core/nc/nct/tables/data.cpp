@@ -1,5 +1,5 @@
 // System variables, parameters, output of programs.
-#include "core/nc/nct/tables/rows.h"
+#include "core/nc/iso/model/code_rows.h"
 #include "core/nc/nct/tables/tables.h"
 
 namespace proveout::nc {

@@ -1,6 +1,6 @@
 // Five axes and gear functions: refused.
-#include "core/nc/nct/context/plans.h"
-#include "core/nc/nct/tables/rows.h"
+#include "core/nc/iso/context/plans.h"
+#include "core/nc/iso/model/code_rows.h"
 #include "core/nc/nct/tables/tables.h"
 
 namespace proveout::nc {

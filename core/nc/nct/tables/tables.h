@@ -1,7 +1,7 @@
-// The chapters of the code table. Each has a file of its own; tables/codes.cpp lists them.
+// The chapters of the code table. Each has a file of its own; dialect.cpp lists them.
 #pragma once
 
-#include "core/nc/nct/model/codes.h"
+#include "core/nc/iso/model/codes.h"
 
 namespace proveout::nc {
 

@@ -76,7 +76,7 @@ void goToStart(Wl4Context& c) {
 
 /// The block on the line of the innermost level.
 bool readBlock(Wl4Context& c) {
-  const std::string_view line = c.levels.back().program->line(c.levels.back().line);
+  const std::string_view line = c.levels.back().program->line(c.levels.back().block);
   c.origins.beginBlock(line);
   if (!c.reader.read(line, c.block))
     return c.report.fail("wl4-syntax", c.reader.error().message, c.reader.error().columns);
@@ -135,7 +135,7 @@ bool addBlock(Wl4Context& c, Wl4BlockContour& contour, std::vector<double>& cham
 bool readBlocks(Wl4Context& c, std::size_t first, std::size_t last, Wl4BlockContour& contour) {
   std::vector<double> chamfers;
   for (std::size_t k = first; k <= last; ++k) {
-    c.levels.back().line = k;
+    c.levels.back().block = k;
     if (!addBlock(c, contour, chamfers)) return false;
   }
   if (cutChamfers(contour.elements, chamfers) != CornerError::kNone)

@@ -139,7 +139,7 @@ bool runPasses(Wl4Context& c, Wl4BlockPlan& p, const Vec2& tip, bool sided, cons
   const bool rapid_infeed = p.next.motion == 0;
   const Wl4ContourWords before = c.origins.wordsInPlane(w);
   for (const ContourMove& pass : moves) {
-    if (c.watch.workOver()) return false;
+    if (c.watch.workOver(flowPlace(c.levels))) return false;
     const Vec2 to = pass.element.to + tip, center = pass.element.center + tip;
     p.target = from;
     p.target[w.u] = to.x();

@@ -3,66 +3,132 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "core/base/characters.h"
 #include "core/geometry/types.h"
+#include "core/nc/macro/formula.h"
 
 namespace proveout::nc {
 
 namespace {
 
-bool isCapital(char c) { return c >= 'A' && c <= 'Z'; }
-
-/// Whether `word` stands at `pos`; if so, `pos` goes behind it.
-bool take(std::string_view text, std::size_t& pos, std::string_view word) {
-  const std::size_t at = behindBlanks(text, pos);
-  if (text.substr(at, word.size()) != word) return false;
-  pos = at + word.size();
-  return true;
-}
-
 double sinDeg(double x) {
   const double turn = std::fmod(x, 360.0);
   return std::fmod(turn, 180.0) == 0.0 ? 0.0 : std::sin(degToRad(turn));
 }
+double cosDeg(double x) { return sinDeg(x + 90.0); }
+double tanDeg(double x) { return sinDeg(x) / sinDeg(x + 90.0); }
+double asinDeg(double x) { return radToDeg(std::asin(x)); }
+double acosDeg(double x) { return radToDeg(std::acos(x)); }
 
-double modulo(double x, double y) {
-  const double rest = std::fmod(x, y);
-  return rest < 0.0 ? rest + std::abs(y) : rest;
+/// Refused where the function has no value. What has none already goes through.
+template <double (*kFunction)(double)>
+Refusal defined(double x, double& out) {
+  out = kFunction(x);
+  return std::isnan(out) && !std::isnan(x) ? Refusal(SharedAlarm::kOutOfRange) : Refusal();
 }
 
-struct Function {
-  std::string_view name;
-  double (*value)(double);
-};
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<Function, 13> kFunctions = {{
-    {"ABS", [](double x) { return std::abs(x); }},
-    {"SQRT", [](double x) { return x < 0.0 ? kNan : std::sqrt(x); }},
-    {"EXP", [](double x) { return std::exp(x); }},
-    {"LN", [](double x) { return x > 0.0 ? std::log(x) : kNan; }},
-    {"SIN", [](double x) { return sinDeg(x); }},
-    {"COS", [](double x) { return sinDeg(x + 90.0); }},
-    {"TAN", [](double x) { return sinDeg(x) / sinDeg(x + 90.0); }},
-    {"ASIN", [](double x) { return radToDeg(std::asin(x)); }},
-    {"ACOS", [](double x) { return radToDeg(std::acos(x)); }},
-    {"ATAN", [](double x) { return radToDeg(std::atan(x)); }},
-    {"FIX", [](double x) { return std::floor(x); }},
-    {"FUP", [](double x) { return std::ceil(x); }},
-    {"ROUND", [](double x) { return std::round(x); }},
-}};
+Refusal logarithm(double x, double& out) {
+  return std::isnan(x) ? absoluteValue(x, out) : naturalLogarithm(x, out);
+}
+Refusal atanDeg(double x, double& out) {
+  out = radToDeg(std::atan(x));
+  return {};
+}
+/// Of a quotient: all four quadrants.
+Refusal atanOf(double x, double y, double& out) {
+  out = radToDeg(std::atan2(x, y));
+  return std::isnan(out) && !std::isnan(x) ? Refusal(SharedAlarm::kOutOfRange) : Refusal();
+}
+
+constexpr int kWl4LogicRank = 0, kWl4RelationRank = 1, kWl4SumRank = 2, kWl4ProductRank = 3;
+constexpr auto kWl4Operators = std::to_array<FormulaOperator>({
+    {"AND", kWl4LogicRank, Operation::kAnd},
+    {"OR", kWl4LogicRank, Operation::kOr},
+    {"XOR", kWl4LogicRank, Operation::kXor},
+    {"==", kWl4RelationRank, Operation::kEqual},
+    {"<>", kWl4RelationRank, Operation::kUnequal},
+    {"<=", kWl4RelationRank, Operation::kLessEqual},
+    {"<", kWl4RelationRank, Operation::kLess},
+    {">=", kWl4RelationRank, Operation::kGreaterEqual},
+    {">", kWl4RelationRank, Operation::kGreater},
+    {"+", kWl4SumRank, Operation::kAdd},
+    {"-", kWl4SumRank, Operation::kSubtract},
+    {"**", kWl4ProductRank, Operation::kPower},
+    {"*", kWl4ProductRank, Operation::kMultiply},
+    {"/", kWl4ProductRank, Operation::kDivide},
+    {"MOD", kWl4ProductRank, Operation::kModuloPositive},
+});
+constexpr auto kWl4Functions = std::to_array<FormulaFunction>({
+    {"ABS", absoluteValue},
+    {"ASIN", defined<asinDeg>},
+    {"ACOS", defined<acosDeg>},
+    {"ATAN", atanDeg, atanOf},
+    {"SQRT", squareRoot},
+    {"SIN", defined<sinDeg>},
+    {"EXP", exponential},
+    {"LN", logarithm},
+    {"COS", defined<cosDeg>},
+    {"TAN", defined<tanDeg>},
+    {"FIX", downwards},
+    {"FUP", upwards},
+    {"ROUND", nearest},
+});
+
+constexpr FormulaRules wl4Rules() {
+  FormulaRules out;
+  out.open = '(';
+  out.close = ')';
+  out.either_case = false;
+  out.comments = false;
+  out.many_signs = false;
+  out.prefix_names = false;
+  out.point_ends = true;
+  out.quotient_blanks = false;
+  out.refuses_zero = false;
+  out.refuses_infinite = false;
+  out.most_depth = 100;
+  out.argument = FormulaArgument::kBracket;
+  return out;
+}
+
+constexpr FormulaLanguage kWl4Formulas{wl4Rules(), FormulaRows(kWl4Operators), FormulaRows(kWl4Functions)};
 
 }  // namespace
 
-std::size_t behindBlanks(std::string_view text, std::size_t pos) {
-  while (pos < text.size() && (text[pos] == ' ' || text[pos] == '\t')) ++pos;
-  return pos;
-}
+/// One expression on its way from text to value.
+class Wl4Evaluator::Formula : public FormulaParser<Formula> {
+ public:
+  Formula(Wl4Evaluator& evaluator, std::string_view text, std::size_t pos)
+      : FormulaParser(kWl4Formulas, text, pos, evaluator.reads_), evaluator_(evaluator) {}
+
+  bool reference(int& number);
+
+  // What the parser asks.
+  bool fail(const FormulaFault& fault);
+  bool variable(Value& out);
+  bool special(int /*which*/, const FormulaFunction& /*function*/, Value& /*out*/) { return false; }
+  bool otherName(Value& out);
+  void taken(const FormulaOperator& op, const FormulaOperator* before, int lowest);
+  void compared(const Value& left, const Value& right, bool holds);
+  bool isTrue(double value) const { return evaluator_.isTrue(value); }
+  double tolerance() const { return evaluator_.tolerance_; }
+  bool numberRead(std::size_t begin) {
+    evaluator_.last_number_ = {begin, i};
+    return true;
+  }
+
+ private:
+  bool fail(std::string message, std::size_t from, std::size_t to) {
+    return evaluator_.fail(std::move(message), from, to);
+  }
+  bool held(int number, std::size_t from, Value& out);
+
+  Wl4Evaluator& evaluator_;
+};
 
 bool Wl4Evaluator::fail(std::string message, std::size_t from, std::size_t to) {
   error_ = {std::move(message), {static_cast<int>(from) + 1, static_cast<int>(to) + 1}};
@@ -72,162 +138,21 @@ bool Wl4Evaluator::fail(std::string message, std::size_t from, std::size_t to) {
 void Wl4Evaluator::setDecimals(int decimals) { tolerance_ = 0.5 * std::pow(10.0, -decimals); }
 
 bool Wl4Evaluator::evaluate(std::string_view text, std::size_t& pos, double& out) {
-  depth_ = 0;
   last_number_ = {};
   reads_.clear();
-  return logical(text, pos, out);
-}
-
-bool Wl4Evaluator::logical(std::string_view text, std::size_t& pos, double& out) {
-  bool first = false;
-  if (!comparison(text, pos, out, first)) return false;
-  while (true) {
-    const bool conjunction = take(text, pos, "AND");
-    const bool exclusive = !conjunction && take(text, pos, "XOR");
-    if (!conjunction && !exclusive && !take(text, pos, "OR")) return true;
-    double right = 0.0;
-    if (!comparison(text, pos, right, mixed_classes_)) return false;
-    const bool a = isTrue(out), b = isTrue(right);
-    const bool value = conjunction ? a && b : exclusive ? a != b : a || b;
-    out = value ? 1.0 : 0.0;
-  }
-}
-
-bool Wl4Evaluator::comparison(std::string_view text, std::size_t& pos, double& out, bool& used) {
-  if (!sum(text, pos, out, used)) return false;
-  while (true) {
-    enum { kEqual, kUnequal, kLessEqual, kLess, kGreaterEqual, kGreater } what;
-    if (take(text, pos, "==")) {
-      what = kEqual;
-    } else if (take(text, pos, "<>")) {
-      what = kUnequal;
-    } else if (take(text, pos, "<=")) {
-      what = kLessEqual;
-    } else if (take(text, pos, "<")) {
-      what = kLess;
-    } else if (take(text, pos, ">=")) {
-      what = kGreaterEqual;
-    } else if (take(text, pos, ">")) {
-      what = kGreater;
-    } else {
-      return true;
-    }
-    used = true;
-    double right = 0.0;
-    if (!sum(text, pos, right, mixed_classes_)) return false;
-    const bool equal = out == right || std::abs(out - right) < tolerance_, less = out < right;
-    bool value = equal;
-    if (what == kUnequal) value = !equal;
-    if (what == kLess) value = less && !equal;
-    if (what == kLessEqual) value = less || equal;
-    if (what == kGreater) value = out > right && !equal;
-    if (what == kGreaterEqual) value = out > right || equal;
-    if (loops_ != nullptr) loops_->asked(conditionAt(text.data() + pos), std::abs(out - right), value);
-    out = value ? 1.0 : 0.0;
-  }
-}
-
-bool Wl4Evaluator::sum(std::string_view text, std::size_t& pos, double& out, bool& used) {
-  if (!product(text, pos, out)) return false;
-  while (true) {
-    const bool minus = take(text, pos, "-");
-    if (!minus && !take(text, pos, "+")) return true;
-    used = true;
-    double right = 0.0;
-    if (!product(text, pos, right)) return false;
-    out += minus ? -right : right;
-  }
-}
-
-bool Wl4Evaluator::product(std::string_view text, std::size_t& pos, double& out) {
-  if (!operand(text, pos, out)) return false;
-  int powers = 0, others = 0;
-  while (true) {
-    enum { kPower, kTimes, kOver, kModulo } what;
-    if (take(text, pos, "**")) {
-      what = kPower;
-    } else if (take(text, pos, "*")) {
-      what = kTimes;
-    } else if (take(text, pos, "/")) {
-      what = kOver;
-    } else if (take(text, pos, "MOD")) {
-      what = kModulo;
-    } else {
-      return true;
-    }
-    ++(what == kPower ? powers : others);
-    mixed_power_ = mixed_power_ || (powers > 0 && others > 0);
-    double right = 0.0;
-    if (!operand(text, pos, right)) return false;
-    if (what == kPower) out = std::pow(out, right);
-    if (what == kTimes) out *= right;
-    if (what == kOver) out /= right;
-    if (what == kModulo) out = modulo(out, right);
-  }
-}
-
-bool Wl4Evaluator::operand(std::string_view text, std::size_t& pos, double& out) {
-  if (++depth_ > kMaxDepth) return fail("the expression is nested too deep", pos, pos + 1);
-  const bool minus = take(text, pos, "-");
-  if (!minus) take(text, pos, "+");
-  if (!unsignedOperand(text, pos, out)) return false;
-  if (minus) out = -out;
-  --depth_;
-  return true;
-}
-
-bool Wl4Evaluator::unsignedOperand(std::string_view text, std::size_t& pos, double& out) {
-  pos = behindBlanks(text, pos);
-  const char c = pos < text.size() ? text[pos] : '\0';
-  if (c == '#') return variable(text, pos, out);
-  if (c == '(') return parenthesis(text, pos, out);
-  if (isDigit(c) || c == '.') return number(text, pos, out);
-  if (isCapital(c)) return function(text, pos, out);
-  return fail("a number, a variable, a function or a parenthesis is missing here", pos, pos + 1);
-}
-
-bool Wl4Evaluator::number(std::string_view text, std::size_t& pos, double& out) {
-  std::size_t end = pos;
-  int points = 0, digits = 0;
-  for (; end < text.size() && (isDigit(text[end]) || (text[end] == '.' && points == 0)); ++end) {
-    ++(text[end] == '.' ? points : digits);
-  }
-  if (digits == 0) return fail("a number without digits", pos, end);
-  std::from_chars(text.data() + pos, text.data() + end, out, std::chars_format::fixed);
-  last_number_ = {pos, end};
-  pos = end;
-  return true;
-}
-
-bool Wl4Evaluator::parenthesis(std::string_view text, std::size_t& pos, double& out) {
-  const std::size_t from = pos++;
-  if (!logical(text, pos, out)) return false;
-  if (!take(text, pos, ")")) return fail("')' is missing", from, pos + 1);
-  return true;
+  Formula formula(*this, text, pos);
+  Value value;
+  const bool good = formula.formula(value);
+  out = value.number;
+  pos = formula.pos();
+  return good;
 }
 
 bool Wl4Evaluator::reference(std::string_view text, std::size_t& pos, int& number) {
-  const std::size_t from = pos;
-  double value = 0.0;
-  const char c = pos < text.size() ? text[pos] : '\0';
-  if (isDigit(c)) {
-    while (pos < text.size() && isDigit(text[pos]) && value < 1e6) value = 10.0 * value + (text[pos++] - '0');
-  } else if (c == '(') {
-    if (!parenthesis(text, pos, value)) return false;
-  } else if (c == '#') {
-    if (++depth_ > kMaxDepth) return fail("the expression is nested too deep", pos, pos + 1);
-    int inner = 0;
-    if (!reference(text, ++pos, inner)) return false;
-    --depth_;
-    const auto held = variables_.read(inner);
-    if (!held) return fail(fmt::format("there is no variable #{}", inner), from, pos);
-    value = *held;
-  } else {
-    return fail("the number of the variable is missing behind '#'", from, from + 1);
-  }
-  if (!(value > -0.5 && value < 1e6)) return fail("there is no variable of that number", from, pos);
-  number = static_cast<int>(std::lround(value));
-  return true;
+  Formula formula(*this, text, pos);
+  const bool good = formula.reference(number);
+  pos = formula.pos();
+  return good;
 }
 
 bool Wl4Evaluator::assignBehind(std::size_t first, int number, double value, std::size_t from,
@@ -246,46 +171,92 @@ bool Wl4Evaluator::assignBehind(std::size_t first, int number, double value, std
               from, to);
 }
 
-bool Wl4Evaluator::variable(std::string_view text, std::size_t& pos, double& out) {
-  const std::size_t from = pos++;
-  int number = 0;
-  if (!reference(text, pos, number)) return false;
-  const std::size_t next = behindBlanks(text, pos);
-  if (text.substr(next, 1) == "=" && text.substr(next, 2) != "==") {
-    pos = next + 1;
-    const std::size_t first = reads_.size();
-    return operand(text, pos, out) && assignBehind(first, number, out, from, pos);
+bool Wl4Evaluator::Formula::fail(const FormulaFault& fault) {
+  const std::size_t from = fault.begin;
+  switch (fault.kind) {
+    case Kind::kTooDeep:
+      return fail("the expression is nested too deep", fault.entry, fault.entry + 1);
+    case Kind::kNoBracket:
+      return fail("')' is missing", from, fault.end + 1);
+    case Kind::kNoDigits:
+      return fail("a number without digits", from, i);
+    case Kind::kBeyondRange:
+      return numberRead(from);  // counts as 0
+    case Kind::kNoArgument:
+      return fail("'(' is missing behind the function", from, fault.end);
+    case Kind::kFunction:
+      return fail(fmt::format("{} is not defined for {}", fault.name, fault.argument), from, i);
+    default:
+      return fail("a number, a variable, a function or a parenthesis is missing here", from, from + 1);
   }
-  const auto held = variables_.read(number);
-  if (!held) return fail(fmt::format("there is no variable #{}", number), from, pos);
-  out = *held;
-  if (const std::uint32_t origin = variables_.originOf(number); origin != 0) reads_.push_back(origin);
+}
+
+/// Behind a comparison, AND, OR or XOR stands what binds closer; a power beside another operator of its rank.
+void Wl4Evaluator::Formula::taken(const FormulaOperator& op, const FormulaOperator* before, int lowest) {
+  if (op.rank < kWl4ProductRank) {
+    evaluator_.mixed_classes_ = evaluator_.mixed_classes_ || lowest > kWl4LogicRank;
+  } else if (before != nullptr && before->rank == kWl4ProductRank) {
+    const bool mixed = (op.operation == Operation::kPower) != (before->operation == Operation::kPower);
+    evaluator_.mixed_power_ = evaluator_.mixed_power_ || mixed;
+  }
+}
+
+void Wl4Evaluator::Formula::compared(const Value& left, const Value& right, bool holds) {
+  if (evaluator_.loops_ == nullptr) return;
+  evaluator_.loops_->asked(conditionAt(text_.data() + i), std::abs(left.number - right.number), holds);
+}
+
+bool Wl4Evaluator::Formula::held(int number, std::size_t from, Value& out) {
+  const auto value = evaluator_.variables_.read(number);
+  if (!value) return fail(fmt::format("there is no variable #{}", number), from, i);
+  out = {*value, false};
   return true;
 }
 
-bool Wl4Evaluator::function(std::string_view text, std::size_t& pos, double& out) {
-  std::size_t end = pos;
-  while (end < text.size() && isCapital(text[end])) ++end;
-  const std::string_view name = text.substr(pos, end - pos);
-  for (const Function& f : kFunctions) {
-    if (f.name != name) continue;
-    const std::size_t from = pos;
-    pos = behindBlanks(text, end);
-    if (text.substr(pos, 1) != "(") return fail("'(' is missing behind the function", from, end);
-    double x = 0.0;
-    if (!parenthesis(text, pos, x)) return false;
-    out = f.value(x);
-    if (name == "ATAN" && text.substr(pos, 2) == "/(") {  // of a quotient: all four quadrants
-      double y = 0.0;
-      if (!parenthesis(text, ++pos, y)) return false;
-      out = radToDeg(std::atan2(x, y));
-    }
-    if (std::isnan(out) && !std::isnan(x)) {
-      return fail(fmt::format("{} is not defined for {}", name, x), from, pos);
-    }
-    return true;
+bool Wl4Evaluator::Formula::reference(int& number) {
+  const std::size_t from = i;
+  Value value;
+  const char c = peek();
+  if (isDigit(c)) {
+    while (isDigit(peek()) && value.number < 1e6) value.number = 10.0 * value.number + (text_[i++] - '0');
+  } else if (c == rules_.open) {
+    if (!bracket(value)) return false;
+  } else if (c == rules_.variable) {
+    if (depth_ >= rules_.most_depth) return failAt(Kind::kTooDeep, i);
+    ++depth_;
+    ++i;
+    int inner = 0;
+    if (!reference(inner)) return false;
+    --depth_;
+    if (!held(inner, from, value)) return false;
+  } else {
+    return fail("the number of the variable is missing behind '#'", from, from + 1);
   }
-  return fail(fmt::format("there is no function {}", name), pos, end);
+  if (!(value.number > -0.5 && value.number < 1e6))
+    return fail("there is no variable of that number", from, i);
+  number = static_cast<int>(std::lround(value.number));
+  return true;
+}
+
+bool Wl4Evaluator::Formula::variable(Value& out) {
+  const std::size_t from = i++;
+  int number = 0;
+  if (!reference(number)) return false;
+  const std::size_t next = behindBlanks(text_, i);
+  if (text_.substr(next, 1) == "=" && text_.substr(next, 2) != "==") {
+    i = next + 1;
+    const std::size_t first = reads_.size();
+    return operand(out) && evaluator_.assignBehind(first, number, out.number, from, i);
+  }
+  if (!held(number, from, out)) return false;
+  if (const std::uint32_t origin = evaluator_.variables_.originOf(number); origin != 0)
+    reads_.push_back(origin);
+  return true;
+}
+
+bool Wl4Evaluator::Formula::otherName(Value& /*out*/) {
+  const std::size_t end = behindLetters();
+  return fail(fmt::format("there is no function {}", text_.substr(i, end - i)), i, end);
 }
 
 }  // namespace proveout::nc

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/nc/limits/loop_budget.h"
+#include "core/nc/macro/formula_text.h"
 #include "core/nc/origins/value_origins.h"
 #include "core/nc/text/block.h"
 #include "core/nc/wl4/macro/wl4_variables.h"
@@ -65,19 +66,8 @@ class Wl4Evaluator {
 
  private:
   static constexpr double kFullPrecision = 1e-9;
-  static constexpr int kMaxDepth = 100;
+  class Formula;
 
-  bool logical(std::string_view text, std::size_t& pos, double& out);
-  /// `used`: set where an operator of this level or of the next closer one stands in the expression itself.
-  bool comparison(std::string_view text, std::size_t& pos, double& out, bool& used);
-  bool sum(std::string_view text, std::size_t& pos, double& out, bool& used);
-  bool product(std::string_view text, std::size_t& pos, double& out);
-  bool operand(std::string_view text, std::size_t& pos, double& out);
-  bool unsignedOperand(std::string_view text, std::size_t& pos, double& out);
-  bool variable(std::string_view text, std::size_t& pos, double& out);
-  bool function(std::string_view text, std::size_t& pos, double& out);
-  bool parenthesis(std::string_view text, std::size_t& pos, double& out);
-  bool number(std::string_view text, std::size_t& pos, double& out);
   /// Assigns what was read from `reads_[first]` on.
   bool assignBehind(std::size_t first, int number, double value, std::size_t from, std::size_t to);
   bool fail(std::string message, std::size_t from, std::size_t to);
@@ -88,13 +78,9 @@ class Wl4Evaluator {
   std::vector<std::uint32_t> reads_;  ///< origins of the variables of the expression in hand
   double tolerance_ = kFullPrecision;
   Stretch last_number_;
-  int depth_ = 0;
   bool mixed_power_ = false;
   bool mixed_classes_ = false;
   Error error_;
 };
-
-/// Behind the blanks at `pos`.
-std::size_t behindBlanks(std::string_view text, std::size_t pos);
 
 }  // namespace proveout::nc

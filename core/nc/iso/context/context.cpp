@@ -1,0 +1,125 @@
+#include "core/nc/iso/context/context.h"
+
+#include <fmt/core.h>
+
+namespace proveout::nc {
+
+IsoStages::IsoStages(IsoContext& c)
+    : contour_alarms(c.alarms, c),
+      crossing(c.pipe, contour_alarms),
+      transform(c.chain, c.map, c.alarms),
+      corner(c.pipe, contour_alarms),
+      comp(c.pipe, c.parameters, c.alarms, c),
+      virtual_plane(c.pipe, c.chain, c.registers.frames, c.axes),
+      frame(c.chain),
+      rapid(c.emitter, c.settings, c.axes),
+      zone({c.settings, c.axes, c.parameters, c.registers.program_zone, c.calls, c.emitter, c.pipe, c.alarms,
+            c}),
+      emit(c.emitter, c.settings.tool_change_s) {}
+
+IsoContext::IsoContext(const IsoDialect& control, const ProgramSource& source,
+                       const ControlSettings& control_settings, MotionSink& sink, Progress* progress,
+                       const ControlHost& control_host, InterpretSummary& run_summary)
+    : dialect(control),
+      settings(control_settings),
+      summary(run_summary),
+      codes(control.codes),
+      axes(control_settings),
+      emitter(control_settings, axes, sink, run_summary),
+      parameters(control.parameters),
+      programs(source, control_settings.encoding, control.layout, sink),
+      environment(axes, parameters),
+      macro(variables, environment, control.alarms),
+      origins(sink),
+      m_index(codes, control_settings),
+      alarms(control.alarms, calls, programs, block, variables, emitter),
+      work(control_settings, progress, calls, alarms, run_summary),
+      host(control_host),
+      clock(emitter.time(), stages.rapid),
+      stages(*this) {
+  macro.setOrigins(origins);
+  pipe.link(stages.transform);
+  pipe.link(stages.frame);
+  pipe.link(stages.emit);
+  registers.offsets = OffsetTables(settings);
+  WorkFrames& frames = registers.frames;
+  frames.more_axes = axes.moreCount();
+  frames.common.offset = settings.common_offset;
+  for (std::size_t i = 0; i < frames.basic.size(); ++i) {
+    frames.basic[i] = {settings.work_offsets[i], settings.work_rotations_deg[i]};
+  }
+  for (const auto& [p, offset] : settings.extended_offsets) frames.extended[p].offset = offset;
+}
+
+void IsoContext::shareWith(IsoContext& owner) {
+  const auto count = [&](auto parameter) { return static_cast<int>(owner.parameters[parameter]); };
+  variables.share(owner.variables, count(MacroParam::kCommonLow), count(MacroParam::kCommonKept));
+  registers.offsets.share(owner.registers.offsets, count(DataParam::kCommonToolOffsets));
+  registers.shared_tools = owner.registers.shared_tools;
+  origins.shareWords(owner.origins, channel());
+}
+
+void IsoContext::settle(const AxisPoint& at) {
+  machine = stages.virtual_plane.linked() ? stages.virtual_plane.adopt(at) : at;
+  position = chain.programOf(machine);
+}
+
+bool IsoContext::flushPipe() {
+  if (!pipe.flush(FlushReason::kBuffer)) return false;
+  rebasePipe();
+  return true;
+}
+
+void IsoContext::recover() {
+  pipe.clear();
+  settle(emitter.machine());
+}
+
+bool IsoContext::openCall(const CallFrame& frame) {
+  if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
+    return fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+  }
+  origins.openCall();
+  calls.push(frame);
+  calls.top().run = ++calls_opened;
+  enterProgram();
+  last_called = frame.text;
+  return true;
+}
+
+void IsoContext::openMain(const CallFrame& frame) {
+  calls.push(frame);
+  enterProgram();
+}
+
+void IsoContext::enterProgram() {
+  const SourceRef& at = calls.here();
+  origins.enter(at.file, at.depth, !calls.top().text->builtIn());
+  origins.begin(at.line, at.block);
+  word_patterns.last = nullptr;
+}
+
+void IsoContext::closeCall() {
+  if (opensLocals(calls.top().kind)) variables.leave();
+  calls.pop();
+  origins.closeCall();
+  enterProgram();
+}
+
+bool WorkGuard::over() {
+  constexpr std::uint64_t kFreeMotions = 100;
+  const CallFrame& main = calls_.main();
+  const double done = static_cast<double>(main.line) / static_cast<double>(main.text->lines().size());
+  const BlockWatch::Over over = blocks_.count({done, calls_.depth(), calls_.lineIndex()}, kFreeMotions);
+  if (over == BlockWatch::Over::kLimit)
+    alarms_.fail("block-limit", blocks_.message(", chords of curves included"));
+  return over != BlockWatch::Over::kNo;
+}
+
+bool WorkGuard::endless(const std::string& message) {
+  alarms_.fail("endless-loop", message);
+  summary_.end = ProgramEnd::kBlockLimit;
+  return true;
+}
+
+}  // namespace proveout::nc

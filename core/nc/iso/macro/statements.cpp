@@ -1,0 +1,189 @@
+// Statements of the macro language: assignments, GOTO, IF, WHILE, DO, END (manual 23.2.1, 23.2.8-23.2.11).
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/nc/iso/context/output.h"
+#include "core/nc/iso/context/words.h"
+#include "core/nc/iso/program/control.h"
+
+namespace proveout::nc {
+
+// A statement that decides where to go on and fails leaves nowhere to go on: it always stops the run.
+
+namespace {
+
+bool failStatement(IsoContext& c, const LexError& error) { return !error.code.empty() && c.fail(error); }
+
+/// Nothing but comments may stand behind a statement.
+bool endStatement(IsoContext& c, std::size_t pos) {
+  const std::string_view text = c.block.text;
+  pos = skipBlanks(text, pos);
+  if (pos >= text.size() || text[pos] == '(') return true;
+  return c.alarm(SharedAlarm::kSyntax, "", "nothing may follow the statement",
+                 {static_cast<int>(pos) + 1, static_cast<int>(text.size()) + 1});
+}
+
+/// The loop mark of the line in hand, whose loop number stands at `pos`. Null: a fault, reported.
+const LoopIndex::Mark* loopMark(IsoContext& c, std::size_t pos) {
+  const std::string_view text = c.block.text;
+  const bool is_end = c.block.kind == LineKind::kEnd;
+  const int number = loopNumber(text, pos);
+  if (number < 0) {
+    c.alarm(SharedAlarm::kOutOfRange, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
+    return nullptr;
+  }
+  const LoopIndex::Mark* mark = c.calls.top().text->loops().find(c.calls.lineIndex());
+  if (mark == nullptr) {
+    c.alarm(SharedAlarm::kSyntax, "", "a loop starts and ends with a line of its own");
+    return nullptr;
+  }
+  switch (mark->fault) {
+    case LoopIndex::Fault::kNone:
+      return endStatement(c, pos + 1) ? mark : nullptr;
+    case LoopIndex::Fault::kDoubled:
+      c.alarm(SharedAlarm::kSyntax, "", fmt::format("DO{0} inside DO{0}", number));
+      return nullptr;
+    case LoopIndex::Fault::kNoEnd:
+      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("END{}", number),
+              "loops end in pairs and do not overlap");
+      return nullptr;
+    case LoopIndex::Fault::kNoDo:
+      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("DO{}", number),
+              "loops start in pairs and do not overlap");
+      return nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+IsoControl::Go IsoControl::statement() {
+  IsoContext& c = context_;
+  until_hit_ = until_hit_ || reachedUntil();
+  std::size_t pos = c.block.statement;
+  switch (c.block.kind) {
+    case LineKind::kAssignment: {
+      LexError error;
+      if (!c.macro.assign(c.block.text, pos, error)) {
+        failStatement(c, error);
+        return summary_.end == ProgramEnd::kAlarm ? Go::kStop : alarm();  // #3000 ends the run
+      }
+      return endStatement(c, pos) ? Go::kOn : alarm();
+    }
+    case LineKind::kIf:
+      return behindIf();
+    case LineKind::kWhile:
+    case LineKind::kDo:
+      return enterLoop(pos);
+    case LineKind::kEnd:
+      return endLoop();
+    case LineKind::kGoto:
+      return goTo(pos);
+    case LineKind::kOutput:
+      return outputStatement(c) ? Go::kOn : alarm();
+    case LineKind::kBlock:
+      break;
+  }
+  return execute();
+}
+
+/// The condition that stands at `pos`. False: it has none, reported.
+bool IsoControl::condition(std::size_t& pos, bool& holds) {
+  IsoContext& c = context_;
+  LexError error;
+  const std::uint64_t place = conditionAt(c.block.text.data() + pos);
+  if (!c.macro.condition(c.block.text, pos, holds, error)) return failStatement(c, error);
+  loop_budget_.asked(place, c.macro.distance(), holds);
+  return true;
+}
+
+IsoControl::Go IsoControl::behindIf() {
+  IsoContext& c = context_;
+  Block& block = c.block;
+  bool holds = false;
+  std::size_t pos = block.statement + 2;
+  if (!condition(pos, holds)) return stopAtAlarm();
+  if (!holds) return Go::kOn;
+  pos = skipBlanks(block.text, pos);
+  if (keywordAt(block.text, pos, "THEN")) pos = skipBlanks(block.text, pos + 4);
+  block.statement = pos;
+  block.kind = classify(block.text, pos);
+  const bool loop =
+      block.kind == LineKind::kWhile || block.kind == LineKind::kDo || block.kind == LineKind::kEnd;
+  if (pos >= block.text.size() || loop) {
+    c.alarm(SharedAlarm::kSyntax, "", loop ? "a loop cannot start or end behind IF" : "IF without a command");
+    return stopAtAlarm();
+  }
+  if (block.kind != LineKind::kBlock) return statement();
+  const bool numbered = block.number >= 0;
+  const int skip = block.skip;
+  if (!lexer_.lexRest(pos, block)) {
+    failStatement(c, lexer_.error());
+    return alarm();
+  }
+  takeIncrements(c);
+  if (block.skip != skip || block.program >= 0 || block.percent || (!numbered && block.number >= 0)) {
+    c.alarm(SharedAlarm::kSyntax, "", "block number, program number and skip stand in front of IF");
+    return alarm();
+  }
+  MacroCall call;
+  if (findCall(true, call)) return callMacro(call);
+  return checkRepeats(c) ? execute() : alarm();
+}
+
+IsoControl::Go IsoControl::goTo(std::size_t pos) {
+  IsoContext& c = context_;
+  Value target;
+  LexError error;
+  const std::size_t begin = pos;
+  pos = skipBlanks(c.block.text, pos + 4);
+  if (!c.macro.evaluate(c.block.text, pos, target, error)) {
+    failStatement(c, error);
+    return stopAtAlarm();
+  }
+  const double number = std::round(target.number);
+  if (target.vacant || number < 0.0 || number > 99999999.0) {
+    c.fail(SharedAlarm::kBlockNotFound,
+           target.vacant ? "block not found: the number of GOTO is vacant"
+                         : fmt::format("block N{} not found", target.number),
+           {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
+    return stopAtAlarm();
+  }
+  if (!endStatement(c, pos)) return stopAtAlarm();
+  CallFrame& frame = c.calls.top();
+  return jump(frame, static_cast<std::int64_t>(number), frame.line) ? Go::kOn : stopAtAlarm();
+}
+
+IsoControl::Go IsoControl::enterLoop(std::size_t pos) {
+  IsoContext& c = context_;
+  const std::string_view text = c.block.text;
+  bool holds = true;
+  if (c.block.kind == LineKind::kWhile) {
+    pos += 5;
+    if (!condition(pos, holds)) return stopAtAlarm();
+    pos = skipBlanks(text, pos);
+    if (!keywordAt(text, pos, "DO")) {
+      c.alarm(SharedAlarm::kWhileWithoutDo, "");
+      return stopAtAlarm();
+    }
+  }
+  const LoopIndex::Mark* mark = loopMark(c, skipBlanks(text, pos + 2));
+  if (mark == nullptr) return stopAtAlarm();
+  if (!holds) {
+    c.calls.top().line = mark->partner + 1;
+    lexer_.setInComment(false);
+  }
+  return Go::kOn;
+}
+
+IsoControl::Go IsoControl::endLoop() {
+  IsoContext& c = context_;
+  const LoopIndex::Mark* mark = loopMark(c, skipBlanks(c.block.text, c.block.statement + 3));
+  if (mark == nullptr) return stopAtAlarm();
+  c.calls.top().line = mark->partner;
+  lexer_.setInComment(false);
+  return Go::kOn;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,54 @@
+// What only a maker says of a control of the ISO family: the tables that the shared code is run with.
+//
+// Where comments of this folder name a section of "the manual" it is that of nct, whose rules the code
+// follows.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/nc/iso/model/codes.h"
+#include "core/nc/iso/model/program_store.h"
+#include "core/nc/iso/parameters/parameter_table.h"
+#include "core/nc/text/alarms.h"
+#include "core/nc/text/lexer.h"
+
+namespace proveout::nc {
+
+struct IsoContext;
+
+/// The system variables of a channel: banks that its variables ask.
+class SystemVariables {
+ public:
+  virtual ~SystemVariables() = default;
+};
+
+/// What numbers of messages that a program raises count from.
+struct MessageNumbers {
+  int alarm = 3000;  ///< #3000
+  int stop = 3000;   ///< #3006
+  int box = 3000;    ///< #3107
+};
+
+/// Words without a decimal point that count in least increments.
+struct IncrementWords {
+  AddressSet addresses;
+  double metric = 0.001;  ///< of a unit, G21
+  double inch = 0.0001;   ///< of a unit, G20
+};
+
+struct IsoDialect {
+  std::string_view name;  ///< of the control, "nct"
+  const AlarmTable& alarms;
+  const CodeIndex& codes;
+  const ParameterTable& parameters;
+  LexRules lexing = {};  ///< formulas and names of axes come from the channel
+  std::span<const IncrementWords> increments = {};
+  ProgramLayout layout = ProgramLayout::kOneInAFile;
+  MessageNumbers messages = {};
+  /// Makes the system variables of a channel known to its variables. Null: there are none.
+  std::unique_ptr<SystemVariables> (*system_variables)(IsoContext&) = nullptr;
+};
+
+}  // namespace proveout::nc

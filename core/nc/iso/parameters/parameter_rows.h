@@ -1,0 +1,35 @@
+// Makers of rows for the parameter table of a control.
+#pragma once
+
+#include <string_view>
+
+#include "core/nc/iso/parameters/parameter_types.h"
+
+namespace proveout::nc::param_rows {
+
+constexpr ParamScope kGlobal = ParamScope::kGlobal;
+constexpr ParamScope kChannel = ParamScope::kChannel;
+constexpr ParamScope kAxis = ParamScope::kAxis;
+constexpr ParamScope kSpindle = ParamScope::kSpindle;
+
+constexpr ParamInfo number(std::string_view name, int no, ParamScope scope, double default_value, double min,
+                           double max, std::string_view meaning) {
+  return {name, no, kWholeParam, scope, default_value, min, max, meaning};
+}
+constexpr ParamInfo bit(std::string_view name, int no, int position, ParamScope scope, double default_value,
+                        std::string_view meaning) {
+  return {name, no, position, scope, default_value, 0, 1, meaning};
+}
+/// A row that programs cannot change.
+constexpr ParamInfo atPowerOn(ParamInfo row) {
+  row.restart = true;
+  return row;
+}
+
+/// A row without effect in the simulation: the rule for what only the machine or the person at it can do.
+constexpr ParamInfo noted(ParamInfo row) {
+  row.noted = true;
+  return row;
+}
+
+}  // namespace proveout::nc::param_rows

@@ -1,0 +1,250 @@
+// The run loop: lines, header, end of text.
+#include "core/nc/iso/program/control.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/nc/iso/block/auxiliary.h"
+#include "core/nc/iso/context/plans.h"
+#include "core/nc/iso/context/words.h"
+#include "core/nc/iso/motion/axis_setup.h"
+#include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/perform/perform.h"
+#include "core/nc/iso/program/reset.h"
+#include "core/nc/iso/spindle/spindle.h"
+#include "core/nc/iso/spindle/wait.h"
+
+namespace proveout::nc {
+
+namespace {
+
+LexRules lexRules(IsoContext& c) {
+  LexRules rules = c.dialect.lexing;
+  rules.expressions = &c.macro;
+  rules.names = &c.axes.names();
+  return rules;
+}
+
+/// What a loop may change: axes and variables.
+std::vector<LoopBudget::Named> loopState(const IsoContext& c) {
+  std::vector<LoopBudget::Named> state;
+  const auto add = [&](int number) {
+    Value value;
+    if (c.variables.peek(number, value) && !value.vacant)
+      state.push_back({fmt::format("#{}", number), value.number});
+  };
+  for (int k = 1; k <= kLocalCount; ++k) add(k);
+  for (int k = VariableStore::kFirstGlobal; k <= VariableStore::kLastGlobal; ++k) add(k);
+  for (int k = 0; k < c.axes.count(); ++k) state.push_back({c.axes.at(k).name, c.position[k]});
+  return state;
+}
+
+}  // namespace
+
+IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
+                       const ControlSettings& settings, MotionSink& sink, Progress* progress,
+                       const ControlHost& host)
+    : settings_(withAxisParameters(dialect.parameters, settings)),
+      context_(dialect, source, settings_, sink, progress, host, summary_),
+      loop_budget_(settings.block_limit, [this] { return loopState(context_); }),
+      lexer_(lexRules(context_), dialect.alarms) {
+  if (dialect.system_variables != nullptr) system_variables_ = dialect.system_variables(context_);
+}
+
+InterpretSummary IsoControl::run() {
+  if (!start()) {
+    summary_.end = ProgramEnd::kAlarm;
+    return summary_;
+  }
+  while (advance() == Turn::kOn) {
+  }
+  return summary_;
+}
+
+IsoControl::Turn IsoControl::advance() {
+  const Go go = step();
+  if (go == Go::kOn) return Turn::kOn;
+  if (go == Go::kWait) return Turn::kWaits;
+  context_.stages.rapid.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
+  context_.emitter.time().flush();
+  return Turn::kEnded;
+}
+
+bool IsoControl::start() {
+  IsoContext& c = context_;
+  const ControlSettings& settings = c.settings;
+  const Status known = c.parameters.set(settings.parameters);
+  if (!known.ok()) return c.fail("parameter", known.error().message);
+  if (settings.units == LengthUnit::kInch && !c.parameters.given(MotionParam::kDefaultG20)) {
+    c.parameters.put(MotionParam::kDefaultG20, 1.0);  // programs read what is in force
+  }
+  for (const std::string_view name : c.parameters.notedNames()) {
+    c.warn("noted", fmt::format("parameter {} has no effect in the simulation", name), {}, Severity::kNote);
+  }
+  c.systems.update(c.parameters);
+  if (!c.systems.fault().empty()) return c.fail("parameter", c.systems.fault());
+  if (!(settings.rapid_mm_min.minCoeff() > 0.0) || !settings.start.allFinite()) {
+    return c.fail("settings", "rapid rates must be above 0 and the start position finite");
+  }
+  if (!(settings.bell_time_s >= 0.0 && settings.bell_time_s <= 100.0)) {
+    return c.fail("settings", "the time of the acceleration's rise must be 0 to 100 s");
+  }
+  if (const std::string bad = checkAxes(settings); !bad.empty()) return c.fail("settings", bad);
+  if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
+  if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
+  if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
+  powerOn(c);
+  configureFeeds(c);
+  if (!c.stages.zone.configure()) return false;
+  if (settings.start_by_default) {
+    c.emitter.lowerStart(c.stages.zone.ceiling(2));
+    c.settle(c.emitter.machine());
+  }
+  return loadMain();
+}
+
+bool IsoControl::loadMain() {
+  IsoContext& c = context_;
+  const ProgramStore::Loaded main = c.programs.main();
+  if (main.text == nullptr) {
+    const bool missing = main.failure == ProgramStore::Failure::kNotFound;
+    return c.fail(missing ? DiagnosticName(SharedAlarm::kFileNotFound) : "encoding", main.message);
+  }
+  CallFrame frame;
+  frame.text = main.text;
+  frame.file = main.file;
+  c.openMain(frame);
+  bool any = false;
+  for (const auto line : frame.text->lines())
+    any = any || line.find_first_not_of(" \t%") != std::string_view::npos;
+  if (!any) return c.fail("empty", frame.text->name() + ": the program is empty");
+  return true;
+}
+
+/// Whether the program is in a loop without an end: reported then. Other channels and a tool whose life
+/// runs out may end a loop that changes nothing itself.
+bool IsoControl::goesRound(const CallFrame& frame, std::size_t line) {
+  IsoContext& c = context_;
+  ChannelSet alone;
+  alone.add(c.channel());
+  const bool others = !c.channels.empty() && !(c.channels == alone);
+  if (others || c.state.tool_row > 0) return false;
+  const std::uint64_t run = frame.run << 24 | static_cast<std::uint64_t>(frame.done);
+  const bool endless = loop_.comesBack(
+      run, c.calls.depth(), line, c.variables.fingerprint(),
+      {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
+  return endless && c.work.endless(loop_.message());
+}
+
+/// Whether the program is in a loop that comes no nearer to its end: reported then. What asks for other
+/// channels goes round until they answer, so that only its motions count.
+bool IsoControl::goesOn(const CallFrame& frame, std::size_t line) {
+  IsoContext& c = context_;
+  const double blocks = c.channels.empty() ? static_cast<double>(summary_.blocks) : 0.0;
+  const bool endless = loop_budget_.arrives({c.calls.depth(), line, line, frame.run, frame.done, frame.total},
+                                            {blocks, static_cast<double>(summary_.motions)});
+  return endless && c.work.endless(loop_budget_.message());
+}
+
+IsoControl::Go IsoControl::step() {
+  IsoContext& c = context_;
+  if (c.calls.hasDeferred()) {
+    CallFrame deferred;
+    if (!c.calls.takeDeferred(deferred) || !c.openCall(deferred)) return alarm();
+  } else if (c.calls.top().waiting.code != 0) {
+    const FlowRequest request = std::exchange(c.calls.top().waiting, {});
+    c.setBlock(request.line, request.number);
+    return flow(request);
+  } else if (until_hit_ && c.calls.depth() == 1) {
+    return finish("until", ProgramEnd::kUntil);
+  }
+  CallFrame& frame = c.calls.top();
+  if (frame.line >= frame.text->lines().size()) return endOfText();
+  if (frame.line == 0) tape_.skipLeader(c, frame);
+  const std::size_t line = frame.line++;
+  Block& block = c.block;
+  lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
+  const bool lexed = lexer_.lex(frame.text->lines()[line], block);
+  c.setBlock(line, block.number);
+  // CBB = 0: the switch is read when the block before is done.
+  const bool now = block.skip > 0 && !c.parameters.flag(MotionParam::kSkipKeepsLookAhead);
+  if (now && !c.flushPipe()) return alarm();
+  if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
+  bool good = lexed || c.fail(lexer_.error());
+  takeIncrements(c);
+  if (good && block.percent) {
+    if (!tape_.onlyHeaderAbove(c.calls)) return endOfText();
+    noteTapeName(c);
+    if (block.empty()) return Go::kOn;
+  }
+  MacroCall call;
+  const bool calls = good && findCall(false, call);
+  good = good && (calls || (checkRepeats(c) && tape_.checkHeader(c)));
+  if (good && block.empty()) {
+    until_hit_ = until_hit_ || reachedUntil();
+    return Go::kOn;
+  }
+  if (c.work.over() || goesRound(frame, line) || goesOn(frame, line)) return Go::kStop;
+  ++summary_.blocks;
+  if (!good) return alarm();
+  if (calls) return callMacro(call);
+  if (block.kind != LineKind::kBlock) return statement();
+  if (c.data_input == nullptr) return execute();
+  until_hit_ = until_hit_ || reachedUntil();
+  return dataBlock(c) ? Go::kOn : alarm();
+}
+
+IsoControl::Go IsoControl::endOfText() {
+  IsoContext& c = context_;
+  const SourceText& text = *c.calls.top().text;
+  if (lexer_.inComment()) {
+    lexer_.setInComment(false);
+    return commentLeftOpen(commentOpenAtEnd(text.lines(), 0));
+  }
+  if (c.calls.depth() == 1) {
+    c.warn("no-end", "the program ends without M2 or M30: is the file cut short?");
+    return finish("end of text", ProgramEnd::kEndOfProgram);
+  }
+  if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
+  if (no_return_told_.insert(c.calls.top().file).second)
+    c.warn("no-m99", "the subprogram ends without M99: taken as M99");
+  c.block.clear();
+  return returnFrom(FlowRequest{.code = mcode::kReturn});
+}
+
+/// `open`: its place; none: not known, the last line is told.
+IsoControl::Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& open) {
+  IsoContext& c = context_;
+  const std::size_t lines = c.calls.top().text->lines().size();
+  c.setBlock(open ? open->line : std::max<std::size_t>(lines, 1) - 1, c.block.number);
+  c.fail("open-comment", "the text ends inside a comment: ')' is missing", open ? open->columns : Columns{});
+  return stopAtAlarm();
+}
+
+IsoControl::Go IsoControl::execute() {
+  IsoContext& c = context_;
+  BlockPlan plan;
+  const bool reached = reachedUntil();  // before the block opens a program of its own
+  const bool good = subprograms_.take(c) && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
+  if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
+  if (!good) return alarm();
+  until_hit_ = until_hit_ || reached;  // a called subprogram still runs
+  deferCalls(plan);
+  if (plan.wait_code != 0) {
+    if (!performWait(c, plan)) return alarm();
+    if (c.waiting.code != 0) return Go::kWait;
+  }
+  if (plan.flow == nullptr) return followInterrupts();
+  switchInterrupt();
+  return flow(plan);
+}
+
+bool IsoControl::reachedUntil() const {
+  const IsoContext& c = context_;
+  if (!c.settings.until || c.calls.depth() != 1) return false;
+  return c.settings.until->reachedBy(c.block.number, c.calls.lineIndex());
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,130 @@
+// A control of the ISO family: runs a program block by block. Block life: lex, collect codes, plan (all
+// checks, on a copy of the modal state), perform (emit motions and events), commit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/base/progress.h"
+#include "core/nc/control/control_host.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/control/program_source.h"
+#include "core/nc/control/run_summary.h"
+#include "core/nc/iso/context/context.h"
+#include "core/nc/iso/macro/subprogram_words.h"
+#include "core/nc/iso/model/system_calls.h"
+#include "core/nc/iso/program/tape.h"
+#include "core/nc/limits/loop_budget.h"
+#include "core/nc/limits/loop_watch.h"
+#include "core/nc/text/lexer.h"
+#include "core/nc/text/source_text.h"
+#include "core/path/toolpath.h"
+
+namespace proveout::nc {
+
+/// The run loop of one channel: lines, header, program flow. What codes do is in the chapters' files.
+class IsoControl {
+ public:
+  /// What is handed in must outlive the control.
+  IsoControl(const IsoDialect& dialect, const ProgramSource& source, const ControlSettings& settings,
+             MotionSink& sink, Progress* progress, const ControlHost& host);
+  InterpretSummary run();
+
+  // The same step by step, for several channels.
+  /// Power-on, and the main program is loaded. False: an error was reported.
+  bool start();
+  enum class Turn {
+    kOn,
+    kWaits,  ///< context().waiting says for whom; endWait() lets it go on
+    kEnded   ///< summary().end says how
+  };
+  /// The next block.
+  Turn advance();
+  const InterpretSummary& summary() const { return summary_; }
+  IsoContext& context() { return context_; }
+
+ private:
+  enum class Go { kOn, kWait, kStop };
+
+  // program/control.cpp
+  bool loadMain();
+  Go step();
+  bool goesRound(const CallFrame& frame, std::size_t line);
+  bool goesOn(const CallFrame& frame, std::size_t line);
+  Go endOfText();
+  Go commentLeftOpen(const std::optional<OpenComment>& open);
+  Go execute();
+  bool reachedUntil() const;
+
+  // program/flow.cpp
+  Go flow(const BlockPlan& plan);
+  Go flow(const FlowRequest& request);
+  bool returnWords(FlowRequest& request);
+  Go call();
+  /// The program of P or <file> of the block, as seen from file `caller`.
+  bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
+  Go returnFrom(const FlowRequest& request);
+  void repeat(CallFrame& frame);
+  Go alarm();
+  Go stopAtAlarm();
+  Go finish(const std::string& code, ProgramEnd end);
+  /// To block N`block` of the frame's text; looks for it from line index `from` on, then from the start.
+  bool jump(CallFrame& frame, std::int64_t block, std::size_t from = 0);
+  void warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from);
+
+  // macro/statements.cpp
+  Go statement();
+  bool condition(std::size_t& pos, bool& holds);
+  Go behindIf();
+  Go goTo(std::size_t pos);
+  Go enterLoop(std::size_t pos);
+  Go endLoop();
+
+  // macro/calls.cpp
+  /// What a block calls instead of being executed.
+  struct MacroCall {
+    static constexpr std::int32_t kSystem = -1;
+    const Word* word = nullptr;        ///< that calls
+    std::int32_t code10 = kSystem;     ///< G65, G66, G66.1, or kSystem
+    SystemCall system;                 ///< with kSystem
+    const CallFrame* modal = nullptr;  ///< the active G66.1 macro that takes the block as arguments
+  };
+  bool findCall(bool statement, MacroCall& call);
+  bool findMMacro(MacroCall& call);
+  Go callMacro(const MacroCall& call);
+  Go open(const CallFrame& frame);
+  bool explicitFrame(const MacroCall& call, CallFrame& frame);
+  bool systemFrame(const MacroCall& call, CallFrame& frame);
+  Go callFromBlock(const CallFrame& modal);
+  void deferCalls(const BlockPlan& plan);
+
+  // macro/interrupt.cpp
+  bool takeInterruptWords();
+  void switchInterrupt();
+  Go followInterrupts();
+  Go breakInterruptOff();
+  bool endInterrupt(bool restore);
+
+  InterpretSummary summary_;
+  ControlSettings settings_;
+  IsoContext context_;
+  std::unique_ptr<SystemVariables> system_variables_;
+  LoopWatch loop_;
+  LoopBudget loop_budget_;
+  Lexer lexer_;
+  TapeFrames tape_;
+  SubprogramWords subprograms_;                                ///< of the block in hand
+  InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;  ///< of the block in hand
+  CallFrame interrupt_frame_;                                  ///< with kOn
+  bool until_hit_ = false;
+  std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
+  std::set<std::uint32_t> no_return_told_;                          ///< by file
+};
+
+}  // namespace proveout::nc

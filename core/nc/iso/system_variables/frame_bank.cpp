@@ -1,0 +1,146 @@
+#include "core/nc/iso/system_variables/frame_bank.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "core/nc/iso/context/origins.h"
+#include "core/nc/iso/system_variables/units.h"
+
+namespace proveout::nc {
+namespace {
+
+constexpr int kBasicLow = 5201, kBasicHigh = 100301;        // common, G54 to G59
+constexpr int kExtendedLow = 7001, kExtendedHigh = 101001;  // G54.1 P1...
+constexpr int kBasicSystems = 7, kLowExtended = 48, kHighExtended = 99;
+constexpr int kRotations = 120001, kRotationStep = 10, kRotatedBasic = 6;
+constexpr int kRotationLast = kRotations + (kRotatedBasic + kHighExtended - 1) * kRotationStep + 2;
+// Dynamic offsets: active number, active value, then the tables.
+constexpr int kDynamicLow = 5500, kDynamicHigh = 117000;
+
+}  // namespace
+
+void FrameBank::addTo(VariableStore& store) {
+  store.addBank(kBasicLow, kBasicLow + kBasicSystems * kLowAxes - 1, *this);
+  store.addBank(kBasicHigh, kBasicHigh + kBasicSystems * kHighAxes - 1, *this);
+  store.addBank(kExtendedLow, kExtendedLow + kLowExtended * kLowAxes - 1, *this);
+  store.addBank(kExtendedHigh, kExtendedHigh + kHighExtended * kHighAxes - 1, *this);
+  store.addBank(kRotations, kRotationLast, *this);
+  store.addBank(kDynamicLow, kDynamicLow + (kDynamicSystems + 1) * kLowAxes, *this);
+  store.addBank(kDynamicHigh, kDynamicHigh + (kDynamicSystems + 1) * kHighAxes, *this);
+  store.addSymbol({"WZCMN", kBasicHigh, 1, kHighAxes});
+  for (int k = 0; k < kRotatedBasic; ++k) {
+    store.addSymbol({fmt::format("WZG{}", 54 + k), kBasicHigh + (k + 1) * kHighAxes, 1, kHighAxes});
+    store.addSymbol({fmt::format("WRG{}", 54 + k), kRotations + k * kRotationStep, 1, 3});
+  }
+  for (int p = 1; p <= kHighExtended; ++p) {
+    store.addSymbol({fmt::format("WZP{}", p), kExtendedHigh + (p - 1) * kHighAxes, 1, kHighAxes});
+    store.addSymbol({fmt::format("WRP{}", p), kRotations + (kRotatedBasic + p - 1) * kRotationStep, 1, 3});
+  }
+  store.addSymbol({"FOFSP", kDynamicHigh});
+  store.addSymbol({"FOFSVAL", kDynamicHigh + 1, 1, kHighAxes});
+  for (int p = 1; p <= kDynamicSystems; ++p) {
+    store.addSymbol({fmt::format("FOFS{}", p), kDynamicHigh + 1 + p * kHighAxes, 1, kHighAxes});
+  }
+}
+
+bool FrameBank::axisOf(int number, Cell& cell) const {
+  cell.axis = c_.axes.byNumber(number);
+  return cell.axis >= 0;
+}
+
+FrameBank::Cell FrameBank::offsetCell(int number, int first, int axes) const {
+  Cell cell;
+  cell.system = (number - first) / axes;
+  if (axisOf((number - first) % axes + 1, cell)) cell.kind = Cell::Kind::kOffset;
+  return cell;
+}
+
+FrameBank::Cell FrameBank::dynamicCell(int number) const {
+  const bool high = number >= kDynamicHigh;
+  const int axes = high ? kHighAxes : kLowAxes;
+  const int offset = number - (high ? kDynamicHigh : kDynamicLow);
+  Cell cell;
+  if (offset == 0) {
+    cell.kind = Cell::Kind::kNothing;
+    return cell;
+  }
+  cell.system = (offset - 1) / axes - 1;
+  if (axisOf((offset - 1) % axes + 1, cell)) {
+    cell.kind = cell.system < 0 ? Cell::Kind::kNothing : Cell::Kind::kDynamic;
+  }
+  return cell;
+}
+
+FrameBank::Cell FrameBank::find(int number) const {
+  if (number >= kRotations) {
+    Cell cell;
+    const int row = (number - kRotations) / kRotationStep, plane = (number - kRotations) % kRotationStep;
+    cell.system = row < kRotatedBasic ? row + 1 : kFirstExtended + row - kRotatedBasic;
+    cell.axis = 2 - plane;  // 1 turns in XY about Z, 2 in ZX about Y, 3 in YZ about X
+    cell.kind = plane < 3 ? Cell::Kind::kRotation : Cell::Kind::kNone;
+    return cell;
+  }
+  if (number >= kDynamicHigh) return dynamicCell(number);
+  if (number >= kExtendedHigh || (number >= kExtendedLow && number < kBasicHigh)) {
+    const bool high = number >= kExtendedHigh;
+    Cell cell = offsetCell(number, high ? kExtendedHigh : kExtendedLow, high ? kHighAxes : kLowAxes);
+    cell.system += kFirstExtended;
+    return cell;
+  }
+  if (number >= kBasicHigh) return offsetCell(number, kBasicHigh, kHighAxes);
+  return number >= kDynamicLow ? dynamicCell(number) : offsetCell(number, kBasicLow, kLowAxes);
+}
+
+VariableStatus FrameBank::read(int number, Value& out) {
+  const Cell cell = find(number);
+  const WorkFrames& frames = c_.registers.frames;
+  out = {};
+  switch (cell.kind) {
+    case Cell::Kind::kNone:
+      return VariableStatus::kUnknown;
+    case Cell::Kind::kNothing:
+      break;
+    case Cell::Kind::kOffset:
+      out.number = frames.system(cell.system).offset[cell.axis] / unitOf(c_, cell.axis);
+      if (cell.axis < kMainAxes)
+        out.origin = frames.system(cell.system).offset_by[static_cast<std::size_t>(cell.axis)];
+      break;
+    case Cell::Kind::kRotation:
+      out.number = frames.system(cell.system).angles_deg[cell.axis];
+      out.origin = frames.system(cell.system).angles_by[static_cast<std::size_t>(cell.axis)];
+      break;
+    case Cell::Kind::kDynamic:
+      out.number = dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] / unitOf(c_, cell.axis);
+      break;
+  }
+  return VariableStatus::kDone;
+}
+
+VariableStatus FrameBank::write(int number, const Value& value) {
+  const Cell cell = find(number);
+  if (cell.kind == Cell::Kind::kNone) return VariableStatus::kUnknown;
+  if (cell.kind == Cell::Kind::kNothing) return VariableStatus::kReadOnly;
+  if (!(std::abs(value.number) <= kMaxValue)) return VariableStatus::kLimit;
+  const double amount = value.vacant ? 0.0 : value.number;
+  if (cell.kind == Cell::Kind::kDynamic) {
+    dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] = amount * unitOf(c_, cell.axis);
+    return VariableStatus::kDone;
+  }
+  if (!c_.flushPipe()) return VariableStatus::kReported;
+  WorkSystem& system = c_.registers.frames.system(cell.system);
+  if (cell.kind == Cell::Kind::kRotation) {
+    system.angles_deg[cell.axis] = amount;
+    system.angles_by[static_cast<std::size_t>(cell.axis)] = value.origin;
+  } else {
+    system.offset[cell.axis] = amount * unitOf(c_, cell.axis);
+    if (cell.axis < kMainAxes) system.offset_by[static_cast<std::size_t>(cell.axis)] = value.origin;
+  }
+  c_.chain = c_.chainOf(c_.state);
+  c_.position = c_.chain.programOf(c_.machine);
+  recordFrames(c_, c_.state);
+  c_.rebasePipe();
+  return VariableStatus::kDone;
+}
+
+}  // namespace proveout::nc

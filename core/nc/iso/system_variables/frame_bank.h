@@ -1,0 +1,39 @@
+// Work offsets, basic rotations and the table of dynamic offsets (manual 23.1.19).
+#pragma once
+
+#include <array>
+
+#include "core/nc/kinematics/axis_point.h"
+#include "core/nc/macro/variables.h"
+
+namespace proveout::nc {
+
+struct IsoContext;
+
+/// Read and written in the unit in force. A written cell of the system in force moves the coordinates of what
+/// follows. Dynamic offsets are kept in their table and read back; none is ever in force (G54.2 is refused).
+class FrameBank : public VariableBank {
+ public:
+  explicit FrameBank(IsoContext& context) : c_(context) {}
+  void addTo(VariableStore& store);
+  VariableStatus read(int number, Value& out) override;
+  VariableStatus write(int number, const Value& value) override;
+
+ private:
+  static constexpr int kDynamicSystems = 8;
+  /// A cell, found by its number.
+  struct Cell {
+    enum class Kind { kNone, kOffset, kRotation, kDynamic, kNothing } kind = Kind::kNone;
+    int system = 0;  ///< WorkSystemId; of dynamic offsets 0 to 7
+    int axis = 0;    ///< index; of rotations the axis turned about
+  };
+  Cell offsetCell(int number, int first, int axes) const;
+  Cell dynamicCell(int number) const;
+  Cell find(int number) const;
+  bool axisOf(int number, Cell& cell) const;
+
+  IsoContext& c_;
+  std::array<AxisPoint, kDynamicSystems> dynamic_;
+};
+
+}  // namespace proveout::nc

@@ -1,0 +1,118 @@
+#include "core/nc/iso/system_variables/position_bank.h"
+
+#include <array>
+
+#include "core/nc/iso/context/words.h"
+#include "core/nc/iso/system_variables/units.h"
+
+namespace proveout::nc {
+namespace {
+
+enum class Reading {
+  kBlockEnd,     ///< programmed
+  kMachine,      ///< with all compensations
+  kPresent,      ///< work coordinates, with all compensations
+  kSkip,         ///< the same where a measuring move stopped
+  kSkipMachine,  ///< machine coordinates
+  kLength,       ///< length offset in force
+  kNothing,      ///< always 0 here: lag of the servos, shift of the handwheel, distance to go
+};
+struct Row {
+  int low;  ///< number of axis 0, or -1
+  int high;
+  Reading reading;
+  const char* name;  ///< or null
+};
+constexpr auto kRows = std::to_array<Row>({
+    {5000, 100000, Reading::kBlockEnd, "ABSIO"},
+    {5020, 100050, Reading::kMachine, "ABSMT"},
+    {5040, 100100, Reading::kPresent, "ABSOT"},
+    {5060, 100150, Reading::kSkip, "ABSKP"},
+    {5080, 100200, Reading::kLength, "TOFS"},
+    {5100, 100250, Reading::kNothing, "SVERR"},
+    {-1, 100650, Reading::kNothing, "MIRTP"},
+    {5180, 100800, Reading::kNothing, "DIST"},
+    {-1, 151000, Reading::kSkip, nullptr},
+    {-1, 151100, Reading::kSkipMachine, nullptr},
+});
+
+/// The coordinates of work space without (`tip`) or with the length offset.
+CoordinateChain chainOf(const IsoContext& c, bool tip) {
+  return c.registers.frames.chain(c.map, c.state.work_system, tip ? c.state.length : AxisPoint());
+}
+
+AxisPoint standing(const IsoContext& c) {
+  return c.state.compOn() || c.stages.virtual_plane.linked() ? c.emitter.machine() : c.machine;
+}
+
+/// Where the machine is, in program coordinates; during G12.1 and G7.1 those of the plane.
+AxisPoint present(const IsoContext& c, bool tip) {
+  const AxisPoint machine = standing(c);
+  return chainOf(c, tip).programOf(c.stages.virtual_plane.linked() ? c.stages.virtual_plane.shown(machine)
+                                                                   : machine);
+}
+
+/// What one unit of a value tells. In the plane of G12.1 and G7.1 the rotary axis counts as its words do.
+double unitOfReading(const IsoContext& c, Reading reading, int axis) {
+  const AxisModal& modal = c.state.axes;
+  const bool programmed = reading == Reading::kBlockEnd || reading == Reading::kPresent;
+  if (!programmed || modal.mode == VirtualMode::kOff || axis != modal.rotary) return unitOf(c, axis);
+  return modal.mode == VirtualMode::kPolar ? c.state.unitScale() : modal.mmPerDegree();
+}
+
+AxisPoint pointOf(const IsoContext& c, Reading reading) {
+  const bool tip = c.parameters.flag(DataParam::kTipPositions);
+  switch (reading) {
+    case Reading::kBlockEnd:
+      return c.position;
+    case Reading::kMachine:  // of the machine's own axes during G12.1 and G7.1 too
+      return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.stages.virtual_plane.machine();
+    case Reading::kPresent:
+      return present(c, tip);
+    case Reading::kSkip:
+      return tip ? c.registers.skip.tip : c.registers.skip.work;
+    case Reading::kSkipMachine:
+      return tip ? c.registers.skip.machine_tip : c.registers.skip.machine;
+    case Reading::kLength:
+      return c.state.length;
+    case Reading::kNothing:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+void recordSkip(IsoContext& c, const AxisPoint& machine) {
+  SkipPosition& skip = c.registers.skip;
+  skip.machine = skip.machine_tip = machine;
+  for (int axis = 0; axis < c.axes.count(); ++axis) skip.machine_tip[axis] -= c.state.length[axis];
+  skip.work = chainOf(c, false).programOf(machine);
+  skip.tip = chainOf(c, true).programOf(machine);
+}
+
+void PositionBank::addTo(VariableStore& store) {
+  for (const Row& row : kRows) {
+    if (row.low >= 0) store.addBank(row.low + 1, row.low + kLowAxes, *this);
+    store.addBank(row.high + 1, row.high + kHighAxes, *this);
+    if (row.name) store.addSymbol({row.name, row.high + 1, 1, kHighAxes});
+  }
+}
+
+VariableStatus PositionBank::read(int number, Value& out) {
+  for (const Row& row : kRows) {
+    const bool low = row.low >= 0 && number > row.low && number <= row.low + kLowAxes;
+    if (!low && (number <= row.high || number > row.high + kHighAxes)) continue;
+    const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
+    if (axis < 0) return VariableStatus::kUnknown;
+    const double value = pointOf(c_, row.reading)[axis];
+    const double shown = row.reading == Reading::kLength ? value : shownPosition(c_, axis, value);
+    out = {shown / unitOfReading(c_, row.reading, axis)};
+    const bool programmed = row.reading == Reading::kBlockEnd || row.reading == Reading::kPresent;
+    if (programmed) out.origin = c_.origins.wordOf(axisKind(c_.axes.at(axis).name));
+    return VariableStatus::kDone;
+  }
+  return VariableStatus::kUnknown;
+}
+
+}  // namespace proveout::nc
