@@ -99,7 +99,7 @@ class ContactSearch {
   /// own plane.
   struct Face {
     Vec3 at = Vec3::Zero(), n = Vec3::Zero();  ///< a corner; unit, out of the material, 0 for a needle
-    const Sweep* sweep = nullptr;
+    const SweptField* sweep = nullptr;
     bool blank = false;
   };
   /// A piece of the surface: a triangle whose edges may be creases with other faces.
@@ -147,8 +147,8 @@ class ContactSearch {
   std::uint64_t pieces_ = 0;
   std::vector<Stretch> free_;  ///< of the part in hand, by their begin; they do not overlap
   std::priority_queue<Piece> queue_;
-  std::map<std::size_t, Face> faces_;                              ///< by triangle
-  std::map<std::pair<std::uint32_t, std::size_t>, Sweep> sweeps_;  ///< by motion and part of its tool
+  std::map<std::size_t, Face> faces_;                                   ///< by triangle
+  std::map<std::pair<std::uint32_t, std::size_t>, SweptField> sweeps_;  ///< by motion and part of its tool
 };
 
 Triangle ContactSearch::triangleAt(std::size_t i) const {
@@ -210,7 +210,7 @@ std::optional<ContactSearch::Foot> ContactSearch::foot(const Face& face, const V
   if (face.sweep != nullptr) {
     // Put into the material along the face's own normal there, the point comes back without a step aside.
     Vec3 inwards = -face.n;
-    double start = Sweep::kAnywhere;
+    double start = SweptField::kAnywhere;
     for (int round = 0; round < 2; ++round) {
       const Vec3 deep = p + kPush * query_.h_ * inwards;
       const SweepSample s = face.sweep->sampleOutside(deep, kFootMm, start);
@@ -343,7 +343,7 @@ double ContactSearch::raised(double t) const {
 void ContactSearch::add(const ConvexProfile& part) {
   findFree(part);
   const double around = kMostOff * query_.h_;
-  const Box3 reach = Sweep(part, from_, to_, nullptr).bounds().inflated(around);
+  const Box3 reach = SweptField(part, from_, to_, nullptr).bounds().inflated(around);
   for (std::size_t i = 0; i < query_.surface_.mesh.triangles.size(); ++i) {
     const Triangle t = triangleAt(i);
     const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);

@@ -19,6 +19,8 @@
 namespace proveout {
 
 ColumnSolid columnSolid(const ConvexProfile& profile);
+/// Whether the upper boundary is one level disc of the full radius.
+inline bool hasLevelTop(const ColumnSolid& solid) { return !solid.round_top; }
 
 /// `solid` must outlive the sweep.
 ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& to);

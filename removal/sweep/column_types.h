@@ -150,6 +150,7 @@ struct EdgeCuts {
   double at[kMaxColumns];     ///< found: distance from the end, mm; of level edges only
   double place[kMaxColumns];  ///< found: see CurveSide
   double found[kMaxColumns];  ///< 1: at and place are known
+  double start[kMaxColumns];  ///< as EdgeCut::start; for who asks a body, no kernel knows it
 };
 /// Finds at and place of turns of helices, mostly; nothing of all else. Error below 1e-8 mm.
 using CutKernel = void (*)(const ColumnSweep& sweep, EdgeCuts& cuts);

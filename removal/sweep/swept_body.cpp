@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "removal/sweep/column_curve.h"
 #include "removal/sweep/column_way.h"
@@ -19,21 +20,31 @@ constexpr double kLevel = 1e-4;
 
 }  // namespace
 
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                     const Sweep* curve)
-    : columns_(columnLine(solid, from, to)), profile_(&profile), curve_(curve) {}
-
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                     const ArcGeometry& arc, const Sweep& curve)
-    : columns_(columnArc(solid, from, to, arc)), profile_(&profile), curve_(&curve) {}
-
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSweep& part, const Sweep& curve)
-    : columns_(part), profile_(&profile), curve_(&curve) {}
-
-Sweep SweptBody::sweep() const {
-  if (isLevelArc() || isCurvePart()) return *curve_;
+/// Of this line or chord.
+SweptField SweptBody::ownField() const {
   const Vec3 from = sweepStart(columns_);
-  return Sweep(*profile_, from, from + sweepWay(columns_), nullptr);
+  return SweptField(*profile_, from, from + sweepWay(columns_), nullptr);
+}
+
+SweptField SweptBody::field() const { return whole_ != nullptr ? *whole_ : ownField(); }
+
+double SweptBody::distance(const Vec3& p, double cutoff) const {
+  return whole_ != nullptr ? whole_->distance(p, cutoff) : ownField().distance(p, cutoff);
+}
+
+/// Chords of a helix are many. Flat and ball ends have closed forms on them, which are faster.
+bool SweptBody::isAskedWhole() const {
+  if (whole_ == nullptr || isLevelArc() || isCurvePart() || solid().flat || solid().ball) return false;
+  return whole_->replacesChords();
+}
+
+double SweptBody::wholeCut(const Vec3& a, const Vec3& direction, double inside) const {
+  return searchCut(field(), a, direction, inside);
+}
+
+double SweptBody::coveredTop() const {
+  if (solid().round_top) return -std::numeric_limits<double>::infinity();
+  return columns_.z + std::min(columns_.rise, 0.0) + solid().z_max;
 }
 
 /// The tool's axis at its nearest to the column, level: no nearer than this to any of its places, mm.
@@ -49,7 +60,7 @@ double SweptBody::levelGap(double x, double y) const {
   return std::sqrt(across * across + beyond * beyond);
 }
 
-double SweptBody::levelDepth(double x, double y) const {
+double SweptBody::mostDepth(double x, double y) const {
   const ColumnSolid& tool = solid();
   const double gap = levelGap(x, y), in = std::min(gap, tool.radius);
   // Half of what the solid has above the point's radius and below it.
@@ -58,6 +69,7 @@ double SweptBody::levelDepth(double x, double y) const {
 }
 
 bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
+  if (isConvex()) return true;
   if (columns_.twice) return false;
   if (columns_.kind == ColumnSweep::Kind::kTurn) {
     const double c = std::cos(columns_.cut_rad), s = columns_.turn * std::sin(columns_.cut_rad);
@@ -99,24 +111,46 @@ double SweptBody::startOf(double place) const {
   if (c.kind == ColumnSweep::Kind::kWay) return std::clamp(place / c.way->way_rad, 0.0, 1.0);
   if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
   const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
-  return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
+  return whole_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
 }
 
 /// Parameter of the whole curve at about which it leaves its surface at a point of this part.
 double SweptBody::startAt(const Vec3& p) const {
   const ColumnSweep& c = columns_;
-  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
+  if (!isCurvePart()) return whole_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
   return startOf(curveSide(c, {p.x(), p.y(), p.z()}, 0.0, 0.0).place);
 }
 
 SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below, double start) const {
   if (const auto closed = closedSurface(p, axis, below)) return *closed;
-  if (curve_ == nullptr) {
-    const SweepSample sample = sweep().sample(p);
+  if (whole_ == nullptr) {
+    const SweepSample sample = ownField().sample(p);
     return {sample.gradient, sample.element};
   }
-  const SweepSample sample = curve_->sampleOnSurface(p, start >= 0.0 ? start : startAt(p));
+  const SweepSample sample = whole_->sampleOnSurface(p, start >= 0.0 ? start : startAt(p));
   return {sample.gradient, sample.element};
+}
+
+namespace {
+
+double turnOf(const ColumnSweep& arc) {
+  const double turn = std::atan2(arc.sin_sweep, arc.cos_sweep);
+  return arc.full ? 2.0 * kPi : turn < 0.0 ? turn + 2.0 * kPi : turn;
+}
+
+}  // namespace
+
+std::optional<double> SweptBody::ownLength() const {
+  if (isCurvePart()) return std::nullopt;
+  return isLevelArc() ? turnOf(columns_) * columns_.arc_radius : sweepWay(columns_).norm();
+}
+
+ToolPlace SweptBody::placeAt(double t) const {
+  const ColumnSweep& c = columns_;
+  if (!isLevelArc()) return {sweepStart(c) + t * sweepWay(c), {c.ux, c.uy}};
+  const double a = t * turnOf(c) * c.turn, dx = c.start_x - c.x, dy = c.start_y - c.y;
+  const Vec2 out(dx * std::cos(a) - dy * std::sin(a), dx * std::sin(a) + dy * std::cos(a));
+  return {Vec3(c.x + out.x(), c.y + out.y(), c.z), Vec2(-out.y(), out.x()) / c.arc_radius};
 }
 
 }  // namespace proveout

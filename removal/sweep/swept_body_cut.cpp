@@ -121,8 +121,8 @@ double enterCapsule(const ColumnSweep& line, const Ray& ray, double z, double ra
 
 }  // namespace
 
-double searchCut(const Sweep& sweep, const Vec3& a, const Vec3& direction, double inside) {
-  const auto f = [&](double s) { return sweep.distance(a + s * direction, kNever); };
+double searchCut(const SweptField& field, const Vec3& a, const Vec3& direction, double inside) {
+  const auto f = [&](double s) { return field.distance(a + s * direction, kNever); };
   const double at_a = f(0.0), at_inside = f(inside);
   if (at_a <= 0.0) return 0.0;
   if (at_inside >= 0.0) return inside;  // touched within rounding
@@ -211,36 +211,47 @@ EdgeCut SweptBody::curveCut(const Vec3& a, double dx, double dy, double inside) 
   return {cut.at, startOf(cut.place)};
 }
 
-double SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
+void SweptBody::cutEdges(EdgeCuts& cuts) const {
+  columnKernels().cuts(columns_, cuts);
+  for (int i = 0; i < cuts.count; ++i) {
+    const bool found = cuts.found[i] > 0.0;
+    cuts.start[i] = found ? startOf(cuts.place[i]) : -1.0;
+    if (found || cuts.end[i] != 0.0) continue;
+    const EdgeCut cut = curveCut({cuts.x[i], cuts.y[i], cuts.z[i]}, cuts.dx[i], cuts.dy[i], cuts.inside[i]);
+    cuts.at[i] = cut.at, cuts.start[i] = cut.start;
+  }
+}
+
+EdgeCut SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
   const ColumnSweep& c = columns_;
   const ColumnSolid& tool = solid();
-  if (isCurvePart()) return curveCut(a, dx, dy, inside).at;
+  if (isCurvePart()) return curveCut(a, dx, dy, inside);
   const Ray ray{a.x(), a.y(), dx, dy};
   if (c.kind == ColumnSweep::Kind::kLine && tool.flat) {
     double first, last;
     discStretch(c, a.z(), tool.z_min, tool.z_max, first, last);
-    return std::min(inside, enterStadium(c, ray, first, last, tool.radius));
+    return {std::min(inside, enterStadium(c, ray, first, last, tool.radius))};
   }
   // The whole ball stands for its lower half where the flank above covers the rest.
   if (c.kind == ColumnSweep::Kind::kLine && tool.ball && !tool.round_top && tool.z_max >= 2.0 * tool.radius) {
     double first, last;
     discStretch(c, a.z(), tool.radius, tool.z_max, first, last);
     const double flank = enterStadium(c, ray, first, last, tool.radius);
-    return std::min({inside, flank, enterCapsule(c, ray, a.z(), tool.radius)});
+    return {std::min({inside, flank, enterCapsule(c, ray, a.z(), tool.radius)})};
   }
   // What a level move sweeps is at each height what a disc sweeps there.
   if (c.kind == ColumnSweep::Kind::kLine && c.rise == 0.0) {
     const double radius = radiusAt(*profile_, a.z() - c.z);
-    if (radius >= 0.0) return std::min(inside, enterStadium(c, ray, 0.0, c.length, radius));
+    if (radius >= 0.0) return {std::min(inside, enterStadium(c, ray, 0.0, c.length, radius))};
   }
   if (c.kind == ColumnSweep::Kind::kVertical) {
     const double radius =
         radiusBetween(*profile_, a.z() - c.z - std::max(c.rise, 0.0), a.z() - c.z - std::min(c.rise, 0.0));
-    if (radius >= 0.0) return std::min(inside, enterDisc(ray, c.x, c.y, radius * radius));
+    if (radius >= 0.0) return {std::min(inside, enterDisc(ray, c.x, c.y, radius * radius))};
   }
   const Vec3 direction(dx, dy, 0.0);
-  if (isLevelArc()) return searchCut(*curve_, a, direction, inside);
-  return searchCut(sweep(), a, direction, inside);
+  if (isLevelArc()) return {searchCut(*whole_, a, direction, inside)};
+  return {searchCut(ownField(), a, direction, inside)};
 }
 
 }  // namespace proveout

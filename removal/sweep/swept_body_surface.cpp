@@ -13,8 +13,7 @@ enum FlatElement { kBottom, kFlank, kTop, kFlatElements };
 
 /// The sphere, below its centre, or below the lowest place of that going upright; the flank above it is left
 /// to others.
-std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
-  const ColumnSweep& c = body.columns();
+std::optional<SweptSurface> ballSurface(const ColumnSweep& c, int first, const Vec3& p) {
   const Vec3 way = sweepWay(c);
   const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
   if (way.head<2>().squaredNorm() == 0.0 && q.z() > std::min(0.0, way.z())) return std::nullopt;
@@ -22,14 +21,13 @@ std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
   const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
   const Vec3 normal = q - t * way;
   if (normal.z() > 0.0) return std::nullopt;
-  return SweptSurface{normal.normalized(), body.profile().firstElementId()};
+  return SweptSurface{normal.normalized(), first};
 }
 
 /// A cylinder on a line, as seen from one point in plan view.
 class FlatSweep {
  public:
-  FlatSweep(const SweptBody& body, const Vec3& p)
-      : c_(body.columns()), first_(body.profile().firstElementId()), z_(p.z()) {
+  FlatSweep(const ColumnSweep& columns, int first, const Vec3& p) : c_(columns), first_(first), z_(p.z()) {
     const double qx = p.x() - c_.x, qy = p.y() - c_.y;
     along_ = qx * c_.ux + qy * c_.uy;
     across_ = qx * c_.uy - qy * c_.ux;
@@ -74,10 +72,10 @@ class FlatSweep {
   double z_, along_, across_, half_, beyond_;  ///< half_: of the chord on which the tool is over the point
 };
 
-SweptSurface flatSurface(const SweptBody& body, const Vec3& p, int axis, bool below) {
-  const FlatSweep sweep(body, p);
+SweptSurface flatSurface(const ColumnSweep& c, int first, const Vec3& p, int axis, bool below) {
+  const FlatSweep sweep(c, first, p);
   if (axis == 2) return sweep.end(below ? -1 : 1);
-  if (body.columns().slope == 0.0) return sweep.flank();
+  if (c.slope == 0.0) return sweep.flank();
   const double flank = sweep.missesFlank(), lower = sweep.missesEnd(-1), upper = sweep.missesEnd(1);
   if (flank <= std::min(lower, upper)) return sweep.flank();
   return sweep.end(lower <= upper ? -1 : 1);
@@ -87,8 +85,10 @@ SweptSurface flatSurface(const SweptBody& body, const Vec3& p, int axis, bool be
 
 std::optional<SweptSurface> SweptBody::closedSurface(const Vec3& p, int axis, bool below) const {
   if (!isLine()) return std::nullopt;
-  if (solid().ball) return ballSurface(*this, p);
-  if (solid().flat && profile_->elementCount() == kFlatElements) return flatSurface(*this, p, axis, below);
+  const int first = profile_->firstElementId();
+  if (solid().ball) return ballSurface(columns_, first, p);
+  if (solid().flat && profile_->elementCount() == kFlatElements)
+    return flatSurface(columns_, first, p, axis, below);
   return std::nullopt;
 }
 

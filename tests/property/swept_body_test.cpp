@@ -35,10 +35,14 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
 
   double random(double low, double high) { return moves_.number(low, high); }
 
-  SweptBody body(int style) {
+  struct Line {
+    Vec3 from, to;
+    SweptBody body;
+  };
+  Line line(int style) {
     auto [from, to] = moves_.line(style);
     if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());  // nearly level
-    return SweptBody(profile_, solid_, from, to);
+    return {from, to, SweptBody(profile_, columnLine(solid_, from, to))};
   }
 
   void check(const SweptBody& body, const Vec3& p, int axis, bool below) {
@@ -48,9 +52,9 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
       return;
     }
     ++known_;
-    const Sweep exact = body.sweep();
+    const SweptField exact = body.field();
     EXPECT_NEAR(surface->normal.norm(), 1.0, 1e-12);
-    double anywhere = Sweep::kAnywhere;
+    double anywhere = SweptField::kAnywhere;
     const SweepSample seen = exact.sampleOutside(p + kStepMm * surface->normal, 1e-10, anywhere);
     EXPECT_NEAR(seen.value, kStepMm, kWithinMm) << "axis " << axis;
     // An end of one element is one of the next, too.
@@ -63,11 +67,11 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
   }
 
   /// Where the vertical through a random point enters and leaves the sweep; false if it misses.
-  bool column(const SweptBody& body, Vec3& low, Vec3& high) {
+  bool column(const Line& line, Vec3& low, Vec3& high) {
     std::array<double, 8> x{}, y{}, lo{}, hi{};
-    const Vec3 end = sweepStart(body.columns()) + random(0, 1) * sweepWay(body.columns());
+    const Vec3 end = line.from + random(0, 1) * (line.to - line.from);
     x[0] = end.x() + random(-3, 3), y[0] = end.y() + random(-3, 3);
-    columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+    line.body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
     low = {x[0], y[0], lo[0]};
     high = {x[0], y[0], hi[0]};
     return lo[0] < hi[0];
@@ -81,9 +85,10 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
 
 TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
   for (int i = 0; i < 20000; ++i) {
-    const SweptBody one = body(i % 8);
+    const Line made = line(i % 8);
+    const SweptBody& one = made.body;
     Vec3 low, high;
-    if (!column(one, low, high)) continue;
+    if (!column(made, low, high)) continue;
     check(one, low, 2, true);
     if (!solid_.ball) check(one, high, 2, false);
     // A level ray from far away to a point on the vertical.
@@ -92,7 +97,7 @@ TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
     const double side = i / 16 % 2 == 0 ? 1.0 : -1.0, far = 40.0;
     Vec3 from = inside;
     from[axis] -= side * far;
-    const double cut = one.levelCut(from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far);
+    const double cut = one.levelCut(from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far).at;
     from[axis] += side * cut;
     check(one, from, axis, false);
     if (HasFailure()) FAIL() << "case " << i;
@@ -135,7 +140,7 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     int number;
     const Curve& curve;
     const ConvexProfile& profile;
-    const Sweep& exact;
+    const SweptField& exact;
     const ColumnSweep& columns;
     SweptBody body;
 
@@ -163,13 +168,13 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
         const int kind = ways == Ways::kTurns ? 0 : i % 3;
         Curve c = curve(kind != 1);
         if (kind == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
-        const Sweep exact(profile, c.from, c.to, &c.arc);
+        const SweptField exact(profile, c.from, c.to, &c.arc);
         const CurveWay way = curveWay(c.from, c.to, c.arc);
         const std::vector<ColumnSweep> parts = kind == 0   ? columnTurns(solid, c.from, c.to, c.arc)
                                                : kind == 1 ? columnUprights(solid, c.from, c.to, c.arc)
                                                            : columnParts(solid, way);
         for (const ColumnSweep& part : parts) {
-          body(Part{i, c, profile, exact, part, SweptBody(profile, part, exact)});
+          body(Part{i, c, profile, exact, part, SweptBody(profile, part, &exact)});
           ASSERT_FALSE(HasFailure()) << "case " << i;
         }
       }
@@ -230,7 +235,7 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     ++cuts.count;
   }
 
-  void check(const SweptBody& body, const Sweep& exact, const Vec3& p, bool below) {
+  void check(const SweptBody& body, const SweptField& exact, const Vec3& p, bool below) {
     const double there = exact.distance(p, 1e300);
     ASSERT_LT(there, 1e-7);
     if (there < -1e-6) return;  // covered by another part
@@ -268,7 +273,7 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
     const double a = random(0.0, 6.28), far = part.number % 2 == 0 ? 60.0 : random(0.1, 3.0);
     const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
     if (part.side(from, on) <= 0.0) return;
-    const EdgeCut cut = part.body.curveCut(from, on.x(), on.y(), far);
+    const EdgeCut cut = part.body.levelCut(from, on.x(), on.y(), far);
     ++cuts;
     ASSERT_TRUE(part.beginsAt(from, on, cut.at));
     touched += part.isTouchedFrom(cut.start, from + cut.at * on) ? 1 : 0;
@@ -293,7 +298,7 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
   forEachPart(Ways::kTurns, [&](const Part& part) {
     cuts->count = 0;
     for (int k = 0; k < 13; ++k) addEdge(part.columns, part.curve, k, *cuts);
-    columnKernels().cuts(part.columns, *cuts);
+    if (cuts->count > 0) part.body.cutEdges(*cuts);
     for (int k = 0; k < cuts->count; ++k) {
       ++asked;
       if (cuts->found[k] == 0.0) continue;
@@ -302,7 +307,7 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
       const double at = level ? cuts->at[k] : 0.0;
       const Vec3 on(cuts->dx[k], cuts->dy[k], 0.0), from(cuts->x[k], cuts->y[k], cuts->z[k]);
       ASSERT_TRUE(!level || part.beginsAt(from, on, at));
-      touched += part.isTouchedFrom(part.body.startOf(cuts->place[k]), from + at * on) ? 1 : 0;
+      touched += part.isTouchedFrom(cuts->start[k], from + at * on) ? 1 : 0;
     }
   });
   EXPECT_GT(asked, 1000);
@@ -317,18 +322,18 @@ TEST_P(CurveSurfaces, LevelCutsOfLevelAndVerticalMovesAreWhereTheyBegin) {
     const ColumnSolid solid = columnSolid(profile);
     for (int i = 0; i < 400; ++i) {
       const auto [from, to] = moves_.line(i % 2);
-      const SweptBody body(profile, solid, from, to);
-      const Sweep exact = body.sweep();
+      const SweptBody body(profile, columnLine(solid, from, to));
+      const SweptField exact = body.field();
       std::array<double, 8> x{}, y{}, lo{}, hi{};
       const Vec3 near = from + random(0, 1) * (to - from);
       x[0] = near.x() + random(-4, 4), y[0] = near.y() + random(-4, 4);
-      columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+      body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
       if (lo[0] >= hi[0]) continue;
       const Vec3 inside(x[0], y[0], lo[0] + random(0.02, 0.98) * (hi[0] - lo[0]));
       const double a = random(0.0, 6.28), far = i % 4 < 2 ? 60.0 : random(0.1, 3.0);
       const Vec3 on(std::cos(a), std::sin(a), 0.0), start = inside - far * on;
       if (exact.distance(start, 1e300) <= 0.0) continue;
-      const double cut = body.levelCut(start, on.x(), on.y(), far);
+      const double cut = body.levelCut(start, on.x(), on.y(), far).at;
       ++cuts;
       ASSERT_GE(exact.distance(start + (cut - 2e-8) * on, 1e300), -2e-8) << i;
       ASSERT_LE(exact.distance(start + (cut + 2e-8) * on, 1e300), 2e-8) << i;
@@ -346,15 +351,15 @@ TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
   Tool tool = parseToolOption("1=bull:8:1.5").value();
   const ConvexProfile bull = makeToolSolid(tool).cutter.front();
   const ColumnSolid solid = columnSolid(bull);
-  const SweptBody round(bull, solid, Vec3::Zero(), Vec3(5, 0, 1));
+  const SweptBody round(bull, columnLine(solid, Vec3::Zero(), Vec3(5, 0, 1)));
   EXPECT_FALSE(round.closedSurface(Vec3(2, 0, 0.4), 2, true));
   const ConvexProfile flat = makeToolSolid(parseToolOption("1=flat:8").value()).cutter.front();
   const ColumnSolid cylinder = columnSolid(flat);
   const Vec3 from = Vec3::Zero(), to(5, 0, 0);
-  EXPECT_TRUE(SweptBody(flat, cylinder, from, to).closedSurface(Vec3(2, 0, 0), 2, true));
+  EXPECT_TRUE(SweptBody(flat, columnLine(cylinder, from, to)).closedSurface(Vec3(2, 0, 0), 2, true));
   // A chord of a curve, which is known exactly.
-  const Sweep curve(flat, from, to, nullptr);
-  EXPECT_FALSE(SweptBody(flat, cylinder, from, to, &curve).closedSurface(Vec3(2, 0, 0), 2, true));
+  const SweptField curve(flat, from, to, nullptr);
+  EXPECT_FALSE(SweptBody(flat, columnLine(cylinder, from, to), &curve).closedSurface(Vec3(2, 0, 0), 2, true));
 }
 
 }  // namespace
