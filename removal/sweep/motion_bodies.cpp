@@ -28,14 +28,15 @@ const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part)
   bodies_.clear();
   const Motion& m = path_.motions[id];
   if (m.arc < 0) {
-    bodies_.push_back({SweptBody(*part.profile, columnLine(*part.solid, m.from, m.to))});
+    bodies_.push_back({SweptBody(*part.profile, LineBody(columnLine(*part.solid, m.from, m.to)))});
     return bodies_;
   }
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const SweptField& curve = store_.fields.emplace_back(*part.profile, m.from, m.to, &arc);
   if (isLevelArc(m, arc)) {
-    bodies_.push_back({SweptBody(*part.profile, columnArc(*part.solid, m.from, m.to, arc), &curve)});
+    bodies_.push_back(
+        {SweptBody(*part.profile, LevelArcBody(columnArc(*part.solid, m.from, m.to, arc)), &curve)});
   } else if (!addTurns(m, part, curve) && !addWay(id, part, curve)) {
     addChords(m, part, curve);
   }
@@ -49,8 +50,7 @@ bool BodyMaker::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
          frame.radius_start > kSameRadiusMm;
 }
 
-/// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
-/// one covers all of the blank that the next does, this is left out. False for curves that have neither.
+/// Turns of a helix about z, or the two halves of an upright arc. False for curves that have neither.
 bool BodyMaker::addTurns(const Motion& m, const PartUse& part, const SweptField& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
@@ -59,19 +59,29 @@ bool BodyMaker::addTurns(const Motion& m, const PartUse& part, const SweptField&
   if (sweep > 2.0 * kPi * kMostChords) return false;
   const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
   const bool upright = std::abs(arc.normal.z()) < 1e-12 && std::abs(frame.rise) < kSameRadiusMm;
-  if (!about_z && !upright) return false;
-  const std::vector<ColumnSweep> parts =
-      about_z ? columnTurns(*part.solid, m.from, m.to, arc) : columnUprights(*part.solid, m.from, m.to, arc);
-  const double blank_top = blank_top_ + h_;
-  const bool falls = m.to.z() < m.from.z();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t below = falls ? i + 1 : i - 1;
-    const bool takes = part.takes && !part.solid->round_top;
-    const bool has_lower = about_z && takes && below < parts.size() && isWholeTurn(parts[below]);
-    if (has_lower && SweptBody(*part.profile, parts[below], &curve).coveredTop() >= blank_top) continue;
-    bodies_.push_back({SweptBody(*part.profile, parts[i], &curve), has_lower ? (falls ? 1 : -1) : 0});
+  if (about_z) {
+    addTurnsAboutZ(m, part, curve);
+  } else if (upright) {
+    for (const UprightSweep& half : columnUprights(*part.solid, m.from, m.to, arc))
+      bodies_.push_back({SweptBody(*part.profile, UprightBody(half), &curve)});
   }
-  return true;
+  return about_z || upright;
+}
+
+/// Turns lie under each other: where a lower one covers all of the blank that the next does, this is left
+/// out.
+void BodyMaker::addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const std::vector<TurnSweep> turns = columnTurns(*part.solid, m.from, m.to, arc);
+  const double blank_top = blank_top_ + h_;
+  const bool falls = m.to.z() < m.from.z(), takes = part.takes && hasLevelTop(*part.solid);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t below = falls ? i + 1 : i - 1;
+    const bool has_lower = takes && below < turns.size() && isWholeTurn(turns[below]);
+    if (has_lower && TurnBody(turns[below]).coveredTop() >= blank_top) continue;
+    bodies_.push_back(
+        {SweptBody(*part.profile, TurnBody(turns[i]), &curve), has_lower ? (falls ? 1 : -1) : 0});
+  }
 }
 
 /// Parts of a spiral about z, of a helix whose radius changes, and of arcs and helices about axes that lean.
@@ -88,16 +98,16 @@ bool BodyMaker::addWay(MotionId id, const PartUse& part, const SweptField& curve
   if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
   if (way_of_ != id) store_.ways.push_back(curveWay(m.from, m.to, arc));
   way_of_ = id;
-  for (const ColumnSweep& columns : columnParts(*part.solid, store_.ways.back())) {
+  for (const WaySweep& columns : columnParts(*part.solid, store_.ways.back())) {
     const bool chords = (leans || (closed_form && !level)) && !isPlainPart(columns);
     if (chords && !columns.again) addWayChords(part, columns, curve);
-    if (!chords) bodies_.push_back({SweptBody(*part.profile, columns, &curve)});
+    if (!chords) bodies_.push_back({SweptBody(*part.profile, WayBody(columns), &curve)});
   }
   return true;
 }
 
 /// Chords of a part.
-void BodyMaker::addWayChords(const PartUse& part, const ColumnSweep& columns, const SweptField& curve) {
+void BodyMaker::addWayChords(const PartUse& part, const WaySweep& columns, const SweptField& curve) {
   const CurveWay& way = *columns.way;
   const double within = part.cuts ? kChordMm : kContactChordMm, wide = CurveWay::kNodesAPart * way.node_rad;
   const double step = std::sqrt(8.0 * within / std::max(way.most_bend, 1e-6));
@@ -106,7 +116,7 @@ void BodyMaker::addWayChords(const PartUse& part, const ColumnSweep& columns, co
   for (int i = 0; i < chords; ++i) {
     const Vec3 from = way.node(first + wide * i / chords).at,
                to = way.node(first + wide * (i + 1) / chords).at;
-    bodies_.push_back({SweptBody(*part.profile, columnLine(*part.solid, from, to), &curve)});
+    bodies_.push_back({SweptBody(*part.profile, ChordBody(columnLine(*part.solid, from, to)), &curve)});
   }
 }
 
@@ -117,7 +127,8 @@ void BodyMaker::addChords(const Motion& m, const PartUse& part, const SweptField
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
                sweep = std::abs(arc.sweep_rad);
-  const bool whole = SweptBody(*part.profile, columnLine(*part.solid, m.from, m.to), &curve).isAskedWhole();
+  const bool whole =
+      SweptBody(*part.profile, ChordBody(columnLine(*part.solid, m.from, m.to)), &curve).isAskedWhole();
   const double within = !part.cuts ? kContactChordMm
                         : whole    ? std::max(kChordMm, kChordShare * h_)
                                    : kChordMm;
@@ -134,10 +145,10 @@ void BodyMaker::addChords(const Motion& m, const PartUse& part, const SweptField
   Vec3 from = m.from;
   for (int i = 0; i < chords; ++i) {
     const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
-    const SweptBody chord(*part.profile, columnLine(*part.solid, from, to), &curve);
+    const SweptBody chord(*part.profile, ChordBody(columnLine(*part.solid, from, to)), &curve);
     from = to;
     const bool has_lower =
-        per_turn > 0 && !part.solid->round_top && (falls ? i + per_turn + 1 < chords : i >= per_turn);
+        per_turn > 0 && hasLevelTop(*part.solid) && (falls ? i + per_turn + 1 < chords : i >= per_turn);
     if (has_lower && chord.coveredTop() - pitch >= blank_top) continue;
     bodies_.push_back({chord, has_lower ? (falls ? per_turn : -per_turn) : 0});
   }

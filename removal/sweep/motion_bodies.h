@@ -46,8 +46,9 @@ class BodyMaker {
  private:
   bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   bool addTurns(const Motion& m, const PartUse& part, const SweptField& curve);
+  void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);
   bool addWay(MotionId id, const PartUse& part, const SweptField& curve);
-  void addWayChords(const PartUse& part, const ColumnSweep& columns, const SweptField& curve);
+  void addWayChords(const PartUse& part, const WaySweep& columns, const SweptField& curve);
   void addChords(const Motion& m, const PartUse& part, const SweptField& curve);
 
   const Toolpath& path_;

@@ -50,11 +50,11 @@ class SweptField {
   }
   /// A distance takes a search, and so many times as long as on a line.
   bool isSlow() const {
-    return std::visit([](const auto& way) { return way.isCurve(); }, way_);
+    return std::visit([](const auto& way) { return way.isSlow(); }, way_);
   }
   /// It takes no longer than the distances of the chords that stand for the way.
   bool replacesChords() const {
-    return std::visit([](const auto& way) { return way.isHelix(); }, way_);
+    return std::visit([](const auto& way) { return way.replacesChords(); }, way_);
   }
   /// Bounds of the swept volume, mm.
   Box3 bounds() const {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
   Line line(int style) {
     auto [from, to] = moves_.line(style);
     if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());  // nearly level
-    return {from, to, SweptBody(profile_, columnLine(solid_, from, to))};
+    return {from, to, SweptBody(profile_, LineBody(columnLine(solid_, from, to)))};
   }
 
   void check(const SweptBody& body, const Vec3& p, int axis, bool below) {
@@ -141,12 +142,10 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     const Curve& curve;
     const ConvexProfile& profile;
     const SweptField& exact;
-    const ColumnSweep& columns;
+    std::function<CurveSide(const Vec3& p, const Vec3& on)> look;  ///< see curveSide
     SweptBody body;
 
-    double side(const Vec3& p, const Vec3& on) const {
-      return curveSide(columns, {p.x(), p.y(), p.z()}, on.x(), on.y()).value;
-    }
+    double side(const Vec3& p, const Vec3& on) const { return look(p, on).value; }
     /// The level edge from `from` begins to be in the part after `at`.
     bool beginsAt(const Vec3& from, const Vec3& on, double at) const {
       return side(from + (at - 2e-8) * on, on) >= -1e-9 && side(from + (at + 2e-8) * on, on) <= 1e-9;
@@ -170,15 +169,25 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
         if (kind == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
         const SweptField exact(profile, c.from, c.to, &c.arc);
         const CurveWay way = curveWay(c.from, c.to, c.arc);
-        const std::vector<ColumnSweep> parts = kind == 0   ? columnTurns(solid, c.from, c.to, c.arc)
-                                               : kind == 1 ? columnUprights(solid, c.from, c.to, c.arc)
-                                                           : columnParts(solid, way);
-        for (const ColumnSweep& part : parts) {
-          body(Part{i, c, profile, exact, part, SweptBody(profile, part, &exact)});
-          ASSERT_FALSE(HasFailure()) << "case " << i;
-        }
+        const auto each = [&](const auto& parts) {
+          for (const auto& part : parts) {
+            const auto look = [&](const Vec3& p, const Vec3& on) {
+              return curveSide(part.way, {p.x(), p.y(), p.z()}, on.x(), on.y());
+            };
+            body(Part{i, c, profile, exact, look, SweptBody(profile, part, &exact)});
+            ASSERT_FALSE(HasFailure()) << "case " << i;
+          }
+        };
+        if (kind == 0) each(bodiesOf<TurnBody>(columnTurns(solid, c.from, c.to, c.arc)));
+        if (kind == 1) each(bodiesOf<UprightBody>(columnUprights(solid, c.from, c.to, c.arc)));
+        if (kind == 2) each(bodiesOf<WayBody>(columnParts(solid, way)));
+        ASSERT_FALSE(HasFailure());
       }
     }
+  }
+  template <typename Kind, typename Way>
+  static std::vector<Kind> bodiesOf(const std::vector<Way>& ways) {
+    return {ways.begin(), ways.end()};
   }
   static std::vector<ConvexProfile> profiles() {
     if (std::string(GetParam()) == "thread mill") return threadMill();
@@ -198,16 +207,16 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     std::array<double, 8> x{}, y{}, lo{}, hi{};
   };
   /// Of random columns around the curve's start, where the part begins and ends.
-  Columns columnsNear(const ColumnSweep& part, const Curve& c) {
+  Columns columnsNear(const Part& part) {
     Columns at;
     for (std::size_t k = 0; k < 8; ++k)
-      at.x[k] = c.from.x() + random(-9, 9), at.y[k] = c.from.y() + random(-9, 9);
-    columnKernels().columns(part, at.x.data(), at.y.data(), 8, at.lo.data(), at.hi.data());
+      at.x[k] = part.curve.from.x() + random(-9, 9), at.y[k] = part.curve.from.y() + random(-9, 9);
+    part.body.columns(at.x.data(), at.y.data(), 8, at.lo.data(), at.hi.data());
     return at;
   }
   /// False where none of eight columns meets the part.
-  bool pointInside(const ColumnSweep& part, const Curve& c, Vec3& inside) {
-    const auto [x, y, lo, hi] = columnsNear(part, c);
+  bool pointInside(const Part& part, Vec3& inside) {
+    const auto [x, y, lo, hi] = columnsNear(part);
     for (std::size_t k = 0; k < 8; ++k) {
       if (lo[k] >= hi[k]) continue;
       inside = {x[k], y[k], lo[k] + random(0.02, 0.98) * (hi[k] - lo[k])};
@@ -217,18 +226,18 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
   }
 
   /// Level edges, every fourth a vertical one that ends where it is cut, as far as they start outside.
-  void addEdge(const ColumnSweep& part, const Curve& c, int number, EdgeCuts& cuts) {
+  void addEdge(const Part& part, int number, EdgeCuts& cuts) {
     Vec3 inside;
-    if (!pointInside(part, c, inside)) return;
+    if (!pointInside(part, inside)) return;
     const int k = cuts.count;
     const bool level = number % 4 != 0;
     const double a = random(0.0, 6.28), far = number % 2 == 0 ? random(0.1, 3.0) : 0.1;
     const Vec3 on = level ? Vec3(std::cos(a), std::sin(a), 0.0) : Vec3::Zero(), from = inside - far * on;
-    if (level && curveSide(part, {from.x(), from.y(), from.z()}, on.x(), on.y()).value <= 0.0) return;
-    double lo, hi;
-    curveColumn(part, inside.x(), inside.y(), &lo, &hi);
+    if (level && part.side(from, on) <= 0.0) return;
+    std::array<double, 8> x{inside.x()}, y{inside.y()}, lo{}, hi{};
+    part.body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
     cuts.x[k] = from.x(), cuts.y[k] = from.y();
-    cuts.z[k] = level ? from.z() : number % 8 == 0 ? lo : hi;
+    cuts.z[k] = level ? from.z() : number % 8 == 0 ? lo[0] : hi[0];
     cuts.dx[k] = on.x(), cuts.dy[k] = on.y();
     cuts.inside[k] = level ? far : 0.0;
     cuts.end[k] = level ? 0.0 : number % 8 == 0 ? 1.0 : -1.0;
@@ -253,7 +262,7 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
 
 TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
   forEachPart(Ways::kAll, [&](const Part& part) {
-    const auto [x, y, lo, hi] = columnsNear(part.columns, part.curve);
+    const auto [x, y, lo, hi] = columnsNear(part);
     for (std::size_t k = 0; k < 8; ++k) {
       if (lo[k] >= hi[k]) continue;
       check(part.body, part.exact, {x[k], y[k], lo[k]}, true);
@@ -269,7 +278,7 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
   int cuts = 0, touched = 0, slopes = 0, right = 0;
   forEachPart(Ways::kAll, [&](const Part& part) {
     Vec3 inside;
-    if (!pointInside(part.columns, part.curve, inside)) return;
+    if (!pointInside(part, inside)) return;
     const double a = random(0.0, 6.28), far = part.number % 2 == 0 ? 60.0 : random(0.1, 3.0);
     const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
     if (part.side(from, on) <= 0.0) return;
@@ -278,7 +287,7 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
     ASSERT_TRUE(part.beginsAt(from, on, cut.at));
     touched += part.isTouchedFrom(cut.start, from + cut.at * on) ? 1 : 0;
     const double step = 1e-6;
-    const double slope = curveSide(part.columns, {inside.x(), inside.y(), inside.z()}, on.x(), on.y()).slope;
+    const double slope = part.look(inside, on).slope;
     if (slope == 0.0) return;
     ++slopes;
     const double seen =
@@ -297,7 +306,7 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
   const auto cuts = std::make_unique<EdgeCuts>();
   forEachPart(Ways::kTurns, [&](const Part& part) {
     cuts->count = 0;
-    for (int k = 0; k < 13; ++k) addEdge(part.columns, part.curve, k, *cuts);
+    for (int k = 0; k < 13; ++k) addEdge(part, k, *cuts);
     if (cuts->count > 0) part.body.cutEdges(*cuts);
     for (int k = 0; k < cuts->count; ++k) {
       ++asked;
@@ -322,7 +331,7 @@ TEST_P(CurveSurfaces, LevelCutsOfLevelAndVerticalMovesAreWhereTheyBegin) {
     const ColumnSolid solid = columnSolid(profile);
     for (int i = 0; i < 400; ++i) {
       const auto [from, to] = moves_.line(i % 2);
-      const SweptBody body(profile, columnLine(solid, from, to));
+      const SweptBody body(profile, LineBody(columnLine(solid, from, to)));
       const SweptField exact = body.field();
       std::array<double, 8> x{}, y{}, lo{}, hi{};
       const Vec3 near = from + random(0, 1) * (to - from);
@@ -351,15 +360,17 @@ TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
   Tool tool = parseToolOption("1=bull:8:1.5").value();
   const ConvexProfile bull = makeToolSolid(tool).cutter.front();
   const ColumnSolid solid = columnSolid(bull);
-  const SweptBody round(bull, columnLine(solid, Vec3::Zero(), Vec3(5, 0, 1)));
+  const SweptBody round(bull, LineBody(columnLine(solid, Vec3::Zero(), Vec3(5, 0, 1))));
   EXPECT_FALSE(round.closedSurface(Vec3(2, 0, 0.4), 2, true));
   const ConvexProfile flat = makeToolSolid(parseToolOption("1=flat:8").value()).cutter.front();
   const ColumnSolid cylinder = columnSolid(flat);
   const Vec3 from = Vec3::Zero(), to(5, 0, 0);
-  EXPECT_TRUE(SweptBody(flat, columnLine(cylinder, from, to)).closedSurface(Vec3(2, 0, 0), 2, true));
+  EXPECT_TRUE(
+      SweptBody(flat, LineBody(columnLine(cylinder, from, to))).closedSurface(Vec3(2, 0, 0), 2, true));
   // A chord of a curve, which is known exactly.
   const SweptField curve(flat, from, to, nullptr);
-  EXPECT_FALSE(SweptBody(flat, columnLine(cylinder, from, to), &curve).closedSurface(Vec3(2, 0, 0), 2, true));
+  EXPECT_FALSE(SweptBody(flat, ChordBody(columnLine(cylinder, from, to)), &curve)
+                   .closedSurface(Vec3(2, 0, 0), 2, true));
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ class LeafStacksTest : public ::testing::Test {
       const Vec3 from(random(-4, 35), random(-4, 26), random(-9, 1));
       Pass pass;
       pass.motion = i;
-      pass.body = SweptBody(
-          *cutter.profile,
-          columnLine(cutter.columns, from, from + Vec3(random(-2, 2), random(-2, 2), random(-1, 1))));
+      pass.body = SweptBody(*cutter.profile,
+                            LineBody(columnLine(cutter.columns, from,
+                                                from + Vec3(random(-2, 2), random(-2, 2), random(-1, 1)))));
       record_.table.passes.push_back(pass);
     }
   }
