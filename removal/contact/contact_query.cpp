@@ -10,6 +10,7 @@
 
 #include "core/base/assert.h"
 #include "removal/sweep/convex_cast.h"
+#include "removal/sweep/motion_bodies.h"
 
 namespace proveout {
 namespace {
@@ -197,7 +198,10 @@ void ContactSearch::findSweep(std::size_t i, const Triangle& t, Face& face) {
   double least = kCornerOff * query_.h_;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Face tried = face;
-    tried.sweep = &sweeps_.try_emplace({motion, k}, parts[k], m.from, m.to, arc).first->second;
+    auto known = sweeps_.find({motion, k});
+    if (known == sweeps_.end())
+      known = sweeps_.emplace(std::pair(motion, k), motionField(parts[k], m, arc)).first;
+    tried.sweep = &known->second;
     const double off = cornersOff(t, tried);
     if (off > least) continue;
     least = off;

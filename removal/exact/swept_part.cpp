@@ -10,7 +10,7 @@
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
 #include "removal/grid/placed_field.h"
-#include "removal/sweep/swept_field.h"
+#include "removal/sweep/motion_bodies.h"
 #include "removal/turning/section.h"
 #include "removal/turning/section_field.h"
 #include "removal/turning/turned_field.h"
@@ -39,7 +39,7 @@ class CutBodies {
   auto withSweep(const Body& b, const Ask& ask) const {
     if (b.curve >= 0) return ask(curves_[static_cast<std::size_t>(b.curve)]);
     const Motion& m = path_.motions[b.motion];
-    return ask(SweptField(*b.profile, m.from, m.to, nullptr));
+    return ask(motionField(*b.profile, m, nullptr));
   }
 
  public:
@@ -132,9 +132,7 @@ class CutBodies {
   /// Around the way from one parameter of the motion to another, for the last body.
   void addBox(const Motion& m, const ConvexProfile& profile, double from, double to, double slack) {
     const Vec3 a = path_.pointAt(m, from), b = path_.pointAt(m, to);
-    const double r = profile.maxRadius() + slack;
-    boxes_.push_back({a.cwiseMin(b) + Vec3(-r, -r, profile.zMin() - slack),
-                      a.cwiseMax(b) + Vec3(r, r, profile.zMax() + slack)});
+    boxes_.push_back(partBounds(profile, m, {a.cwiseMin(b), a.cwiseMax(b)}, slack));
     body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
   }
 

@@ -169,11 +169,7 @@ void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part)
 bool Remover::needsEnvelope(const Motion& m, const ToolParts::Part& part) const {
   if (!watch_all_ && !spindle_used_ && part.part == ToolPart::kCutter && m.kind != MotionKind::kRapid)
     return false;
-  Box3 way = path_.bounds(m);
-  const double r = part.profile->maxRadius();
-  way.min += Vec3(-r, -r, part.profile->zMin());
-  way.max += Vec3(r, r, part.profile->zMax());
-  return way.overlaps(impl_.blank);
+  return partBounds(*part.profile, m, path_.bounds(m), 0.0).overlaps(impl_.blank);
 }
 
 void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {

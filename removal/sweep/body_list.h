@@ -4,9 +4,9 @@
 
 #include <variant>
 
-#include "removal/sweep/curve_bodies.h"
-#include "removal/sweep/level_arc_body.h"
-#include "removal/sweep/line_body.h"
+#include "removal/sweep/kinds/curve_bodies.h"
+#include "removal/sweep/kinds/level_arc_body.h"
+#include "removal/sweep/kinds/line_body.h"
 
 namespace proveout {
 

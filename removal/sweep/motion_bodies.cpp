@@ -24,6 +24,15 @@ constexpr double kLeastCurve = 1e-3;
 
 }  // namespace
 
+SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc) {
+  return SweptField(profile, motion.from, motion.to, arc);
+}
+
+Box3 partBounds(const ConvexProfile& profile, const Motion& /*motion*/, const Box3& way, double slack) {
+  const double r = profile.maxRadius() + slack;
+  return {way.min + Vec3(-r, -r, profile.zMin() - slack), way.max + Vec3(r, r, profile.zMax() + slack)};
+}
+
 const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part) {
   bodies_.clear();
   const Motion& m = path_.motions[id];
@@ -33,7 +42,7 @@ const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part)
   }
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const SweptField& curve = store_.fields.emplace_back(*part.profile, m.from, m.to, &arc);
+  const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, m, &arc));
   if (isLevelArc(m, arc)) {
     bodies_.push_back(
         {SweptBody(*part.profile, LevelArcBody(columnArc(*part.solid, m.from, m.to, arc)), &curve)});

@@ -1,5 +1,5 @@
-// Which bodies stand for what one convex part of a tool sweeps on a motion: the one place that knows what
-// kinds of bodies there are and when each serves.
+// What stands for what one convex part of a tool sweeps on a motion, its bodies and its exact field: the one
+// place that knows what kinds there are and when each serves.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,12 @@ struct BodyStore {
   std::deque<SweptField> fields;  ///< of motions of which there may be several pieces
   std::deque<CurveWay> ways;
 };
+
+/// The field of a part on a whole motion; `arc`: the motion's, null for lines. `profile` must outlive it.
+SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc);
+
+/// Bounds of a part while its tip is in the box `way`, on this motion, mm; `slack` mm wider.
+Box3 partBounds(const ConvexProfile& profile, const Motion& motion, const Box3& way, double slack);
 
 /// A convex part of a tool and what it is for.
 struct PartUse {

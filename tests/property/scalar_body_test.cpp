@@ -1,6 +1,6 @@
 // Bodies that answer one column after the other, against the kernels: a line asked in that way has the same
 // columns, and its reach holds them.
-#include "removal/sweep/scalar_body.h"
+#include "removal/sweep/kinds/scalar_body.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/tool/tool_solid.h"
-#include "removal/sweep/line_body.h"
+#include "removal/sweep/kinds/line_body.h"
 #include "tests/property/random_moves.h"
 
 namespace proveout {

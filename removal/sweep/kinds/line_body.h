@@ -1,7 +1,7 @@
 // Bodies of upright tools on straight ways: lines, and the chords of curves that have no parts of their own.
 #pragma once
 
-#include "removal/sweep/body_defaults.h"
+#include "removal/sweep/kinds/body_defaults.h"
 
 namespace proveout {
 

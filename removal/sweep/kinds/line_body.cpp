@@ -1,4 +1,4 @@
-#include "removal/sweep/line_body.h"
+#include "removal/sweep/kinds/line_body.h"
 
 #include <algorithm>
 #include <cmath>

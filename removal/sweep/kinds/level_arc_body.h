@@ -1,7 +1,7 @@
 // Bodies of upright tools on level arcs.
 #pragma once
 
-#include "removal/sweep/body_defaults.h"
+#include "removal/sweep/kinds/body_defaults.h"
 
 namespace proveout {
 

@@ -4,7 +4,7 @@
 // answers with the interval of its own number, counted from below.
 #pragma once
 
-#include "removal/sweep/body_defaults.h"
+#include "removal/sweep/kinds/body_defaults.h"
 
 namespace proveout {
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <limits>
 
-#include "removal/sweep/line_body.h"
+#include "removal/sweep/kinds/line_body.h"
 
 namespace proveout {
 

@@ -1,4 +1,4 @@
-#include "removal/sweep/level_arc_body.h"
+#include "removal/sweep/kinds/level_arc_body.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "removal/sweep/curve_bodies.h"
+#include "removal/sweep/kinds/curve_bodies.h"
 
 #include <algorithm>
 #include <cmath>

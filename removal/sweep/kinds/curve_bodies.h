@@ -2,7 +2,7 @@
 // of helices about z, parts of arcs in upright planes, and parts of any other curve.
 #pragma once
 
-#include "removal/sweep/body_defaults.h"
+#include "removal/sweep/kinds/body_defaults.h"
 
 namespace proveout {
 
