@@ -52,7 +52,7 @@ struct Ellipsoid {
 }  // namespace
 
 DeepestPoint::DeepestPoint(const StockDepth& stock, const Pass& pass, MotionId before, double h)
-    : stock_(stock), before_(before), sweep_(pass.body.wholeSweep()), h_(h) {}
+    : stock_(stock), before_(before), sweep_(pass.body.field()), h_(h) {}
 
 StockDepth::Sample DeepestPoint::depthAt(const Vec3& p) {
   --effort_;

@@ -45,7 +45,7 @@ class DeepestPoint {
   const StockDepth& stock_;
   MotionId before_;
   const SweptCutter* hint_ = nullptr;
-  Sweep sweep_;
+  SweptField sweep_;
   double h_;
   int effort_ = 0;
 };

@@ -10,6 +10,7 @@
 
 #include "core/base/assert.h"
 #include "removal/sweep/convex_cast.h"
+#include "removal/sweep/motion_bodies.h"
 
 namespace proveout {
 namespace {
@@ -99,7 +100,7 @@ class ContactSearch {
   /// own plane.
   struct Face {
     Vec3 at = Vec3::Zero(), n = Vec3::Zero();  ///< a corner; unit, out of the material, 0 for a needle
-    const Sweep* sweep = nullptr;
+    const SweptField* sweep = nullptr;
     bool blank = false;
   };
   /// A piece of the surface: a triangle whose edges may be creases with other faces.
@@ -147,8 +148,8 @@ class ContactSearch {
   std::uint64_t pieces_ = 0;
   std::vector<Stretch> free_;  ///< of the part in hand, by their begin; they do not overlap
   std::priority_queue<Piece> queue_;
-  std::map<std::size_t, Face> faces_;                              ///< by triangle
-  std::map<std::pair<std::uint32_t, std::size_t>, Sweep> sweeps_;  ///< by motion and part of its tool
+  std::map<std::size_t, Face> faces_;                                   ///< by triangle
+  std::map<std::pair<std::uint32_t, std::size_t>, SweptField> sweeps_;  ///< by motion and part of its tool
 };
 
 Triangle ContactSearch::triangleAt(std::size_t i) const {
@@ -197,7 +198,10 @@ void ContactSearch::findSweep(std::size_t i, const Triangle& t, Face& face) {
   double least = kCornerOff * query_.h_;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Face tried = face;
-    tried.sweep = &sweeps_.try_emplace({motion, k}, parts[k], m.from, m.to, arc).first->second;
+    auto known = sweeps_.find({motion, k});
+    if (known == sweeps_.end())
+      known = sweeps_.emplace(std::pair(motion, k), motionField(parts[k], m, arc)).first;
+    tried.sweep = &known->second;
     const double off = cornersOff(t, tried);
     if (off > least) continue;
     least = off;
@@ -210,7 +214,7 @@ std::optional<ContactSearch::Foot> ContactSearch::foot(const Face& face, const V
   if (face.sweep != nullptr) {
     // Put into the material along the face's own normal there, the point comes back without a step aside.
     Vec3 inwards = -face.n;
-    double start = Sweep::kAnywhere;
+    double start = SweptField::kAnywhere;
     for (int round = 0; round < 2; ++round) {
       const Vec3 deep = p + kPush * query_.h_ * inwards;
       const SweepSample s = face.sweep->sampleOutside(deep, kFootMm, start);
@@ -343,7 +347,7 @@ double ContactSearch::raised(double t) const {
 void ContactSearch::add(const ConvexProfile& part) {
   findFree(part);
   const double around = kMostOff * query_.h_;
-  const Box3 reach = Sweep(part, from_, to_, nullptr).bounds().inflated(around);
+  const Box3 reach = SweptField(part, from_, to_, nullptr).bounds().inflated(around);
   for (std::size_t i = 0; i < query_.surface_.mesh.triangles.size(); ++i) {
     const Triangle t = triangleAt(i);
     const Vec3 low = t[0].cwiseMin(t[1]).cwiseMin(t[2]), high = t[0].cwiseMax(t[1]).cwiseMax(t[2]);

@@ -11,7 +11,7 @@
 #include "core/tool/tool_solid.h"
 #include "removal/grid/blank_field.h"
 #include "removal/grid/stock.h"
-#include "removal/sweep/sweep.h"
+#include "removal/sweep/swept_field.h"
 
 namespace proveout {
 

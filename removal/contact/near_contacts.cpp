@@ -26,7 +26,7 @@ constexpr double kShallow = 0.5 * kContactToleranceMm;
 /// Climbs on the depth of the stock within what the part sweeps.
 class Climb {
  public:
-  Climb(const StockDepth& stock, const Sweep& sweep, MotionId before, double h)
+  Climb(const StockDepth& stock, const SweptField& sweep, MotionId before, double h)
       : stock_(stock), sweep_(sweep), before_(before), h_(h) {}
 
   void start(const Vec3& from) {
@@ -70,7 +70,7 @@ class Climb {
   }
 
   const StockDepth& stock_;
-  const Sweep& sweep_;
+  const SweptField& sweep_;
   MotionId before_;
   double h_;
   const SweptCutter* hint_ = nullptr;
@@ -86,7 +86,7 @@ class Climb {
 std::optional<ContactSample> NearContacts::at(const NearSample& near) const {
   const Pass& pass = table_.passes[near.pass];
   const MotionId before = metBefore(pass);
-  const Sweep sweep = pass.body.wholeSweep();
+  const SweptField sweep = pass.body.field();
   Climb climb(stock_, sweep, before, h_);
   climb.start(near.where);
   double step = kFirstClimb * h_;

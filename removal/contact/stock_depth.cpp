@@ -15,7 +15,7 @@ StockDepth::Sample StockDepth::at(const Vec3& p, MotionId motion, const SweptCut
   const CutterIndex::Near cut = record_.cutters().nearest(p, motion, blank.value, hint, enough);
   if (cut.body == nullptr) return blank;
   hint = cut.body;
-  return {cut.distance, cut.body->sweep(record_.table).sample(p).gradient};
+  return {cut.distance, cut.body->field(record_.table).sample(p).gradient};
 }
 
 StockDepth::Sample StockDepth::ofBlank(const Vec3& p) const {

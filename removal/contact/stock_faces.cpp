@@ -50,7 +50,7 @@ std::optional<StockFaces::Sample> earlierSample(const EarlierStock& stock, const
   }
   if (stock.cut != nullptr && out.value < 0.0) {
     const CutterIndex::Near cut = stock.cut->cutters().nearest(p, kNoMotion, -out.value);
-    if (cut.body != nullptr) out = {-cut.distance, -cut.body->sweep(stock.cut->table).sample(p).gradient};
+    if (cut.body != nullptr) out = {-cut.distance, -cut.body->field(stock.cut->table).sample(p).gradient};
   }
   out.gradient = stock.back.rotation.transpose() * out.gradient;
   return out;

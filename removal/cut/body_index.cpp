@@ -39,11 +39,10 @@ double signedDistanceTo(const Box3& box, const Vec3& p) {
 
 }  // namespace
 
-Sweep SweptCutter::sweep(const PassTable& table) const { return table.passes[pass].body.wholeSweep(); }
+SweptField SweptCutter::field(const PassTable& table) const { return table.passes[pass].body.field(); }
 
 double SweptCutter::distance(const PassTable& table, const Vec3& p, double cutoff) const {
-  const SweptBody& body = table.passes[pass].body;
-  return body.curve() != nullptr ? body.curve()->distance(p, cutoff) : body.sweep().distance(p, cutoff);
+  return table.passes[pass].body.distance(p, cutoff);
 }
 
 CutterIndex::SmallBox::SmallBox(const Box3& box) {
@@ -74,7 +73,7 @@ void CutterIndex::buildAll() {
   Room room{std::vector<Box3>(bodies_.size()), std::vector<Box3>(bodies_.size()),
             std::vector<std::uint32_t>(bodies_.size()), std::vector<SweptCutter>(bodies_.size())};
   parallelFor(std::size_t{0}, bodies_.size(),
-              [&](std::size_t i) { room.boxes[i] = bodies_[i].sweep(table_).bounds(); });
+              [&](std::size_t i) { room.boxes[i] = bodies_[i].field(table_).bounds(); });
   const auto count = static_cast<std::uint32_t>(bodies_.size());
   nodes_.resize(nodesOver(count)[0]);
   build(room, 0, 0, count);
@@ -183,10 +182,10 @@ bool CutterIndex::anyOf(const Reaches& reaches, const Visit& visit) const {
   return false;
 }
 
-void CutterIndex::collect(const Vec3& p, double within, std::vector<Sweep>& out) const {
+void CutterIndex::collect(const Vec3& p, double within, std::vector<SweptField>& out) const {
   anyOf([&](const auto& box) { return distanceTo(box, p) < within; },
         [&](const SweptCutter& body) {
-          if (body.distance(table_, p, within) < within) out.push_back(body.sweep(table_));
+          if (body.distance(table_, p, within) < within) out.push_back(body.field(table_));
           return false;
         });
 }

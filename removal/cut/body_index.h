@@ -15,8 +15,8 @@ struct SweptCutter {
   MotionId motion = kNoMotion;
   std::uint32_t pass = 0;  ///< its first one
 
-  Sweep sweep(const PassTable& table) const;
-  /// As Sweep::distance; copies no curve.
+  SweptField field(const PassTable& table) const;
+  /// As SweptField::distance; copies no curve.
   double distance(const PassTable& table, const Vec3& p, double cutoff) const;
 };
 
@@ -38,8 +38,8 @@ class CutterIndex {
   /// Whether a cutter other than that of pass `except` is nearer to `p` than `within`, mm; below 0: holds it
   /// deeper than that.
   bool comesTo(const Vec3& p, double within, std::uint32_t except = kNoPass) const;
-  /// Adds the sweeps of all cutters nearer to `p` than `within`, mm.
-  void collect(const Vec3& p, double within, std::vector<Sweep>& out) const;
+  /// Adds the fields of all cutters nearer to `p` than `within`, mm.
+  void collect(const Vec3& p, double within, std::vector<SweptField>& out) const;
   static constexpr std::uint32_t kNoPass = ~0u;
 
  private:

@@ -49,11 +49,12 @@ void CrossingFinder::listPasses(std::span<const Reach> list, const FourBlocks& b
     const Pass& pass = table_.passes[reach.pass];
     if (!pass.cuts()) continue;
     Near near{reach.pass, 0, {}, {}};
-    reach_(pass.body.columns(), boxes, near.low.data(), near.high.data());
+    pass.body.reach(boxes, near.low.data(), near.high.data());
     for (std::size_t q = 0; q < 4; ++q) near.quarters |= near.low[q] < boxes.z_high[q] ? 1u << q : 0u;
     if (near.quarters == 0) continue;
-    const Sweep* curve = pass.body.helix();
-    if (curve != nullptr && !passes_.empty() && table_.passes[passes_.back().pass].body.helix() == curve) {
+    // Pieces of one volume are all asked whole, or none is.
+    if (pass.body.isAskedWhole() && !passes_.empty() &&
+        pass.body.isPieceWith(table_.passes[passes_.back().pass].body)) {
       passes_.back().quarters |= near.quarters;
     } else {
       passes_.push_back(near);
@@ -71,8 +72,8 @@ void CrossingFinder::cutEdges() {
     for (std::size_t k = 0; k < passes_.size(); ++k) {
       moved_ = false;
       const int since = std::exchange(asked_[k], moves_);
-      if (const Sweep* curve = table_.passes[passes_[k].pass].body.helix()) {
-        tryCurve(passes_[k], *curve, since);
+      if (table_.passes[passes_[k].pass].body.isAskedWhole()) {
+        tryWhole(passes_[k], since);
       } else {
         tryPass(passes_[k], since);
       }
@@ -158,7 +159,7 @@ std::vector<char> CrossingFinder::barePoints(const std::vector<Vec3>& points, st
     z_.push_back(points[i].z());
     tag_.push_back(i);
   }
-  if (!points.empty()) uniteChords(table_, list, united_);
+  if (!points.empty()) unitePieces(table_, list, united_);
   for (const Reach& reach : united_) {
     if (tag_.empty()) break;
     dropCovered(table_.passes[reach.pass]);
@@ -181,19 +182,17 @@ void CrossingFinder::dropBatch(std::size_t first, std::size_t count, std::size_t
   }
 }
 
-/// Takes the points that the pass, or the curve that it is a chord of, covers out of the lists.
+/// Takes the points that the pass, or all that is asked as one with it, covers out of the lists.
 void CrossingFinder::dropCovered(const Pass& pass) {
   std::size_t kept = 0;
   const std::size_t size = tag_.size();
-  if (const Sweep* curve = pass.body.helix()) {
-    dropBatch(0, size, kept, [&](std::size_t i) {
-      return curve->distance({x_[i], y_[i], z_[i]}, 0.0) < 0.0;
-    });
+  if (pass.body.isAskedWhole()) {
+    dropBatch(0, size, kept, [&](std::size_t i) { return pass.body.covers({x_[i], y_[i], z_[i]}); });
   } else {
     for (std::vector<double>* list : {&x_, &y_, &z_}) list->resize((size + 7) & ~std::size_t{7});
     for (std::size_t first = 0; first < size; first += kMaxColumns) {
       const std::size_t count = std::min<std::size_t>(kMaxColumns, size - first);
-      kernel_(pass.body.columns(), &x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
+      pass.body.columns(&x_[first], &y_[first], static_cast<int>(count), lo_.data(), hi_.data());
       dropBatch(first, count, kept,
                 [&](std::size_t i) { return lo_[i] < z_[first + i] && z_[first + i] < hi_[i]; });
     }
@@ -296,35 +295,35 @@ void CrossingFinder::tryPass(const Near& near, int since) {
 
 void CrossingFinder::tryBatch(std::uint32_t number) {
   const std::size_t count = std::exchange(ask_count_, 0);
-  const ColumnSweep& columns = table_.passes[number].body.columns();
-  const bool turn = columns.kind == ColumnSweep::Kind::kTurn;
-  kernel_(columns, ask_x_.data(), ask_y_.data(), static_cast<int>(count), lo_.data(), hi_.data());
+  const SweptBody& body = table_.passes[number].body;
+  const bool together = body.cutsTogether();
+  body.columns(ask_x_.data(), ask_y_.data(), static_cast<int>(count), lo_.data(), hi_.data());
   level_cuts_.cuts.count = upright_cuts_.cuts.count = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t probe = ask_[i];
     if (!(lo_[i] < z_[probe] && z_[probe] < hi_[i])) continue;
-    if (turn) {
-      addTurnCut(probe, lo_[i], hi_[i]);
+    if (together) {
+      addTogether(probe, lo_[i], hi_[i]);
     } else {
       tryEdge(number, probe, lo_[i], hi_[i]);
     }
   }
-  for (TurnCuts* cuts : {&level_cuts_, &upright_cuts_}) {
-    if (cuts->cuts.count > 0) cutTurnEdges(number, *cuts);
+  for (TogetherCuts* cuts : {&level_cuts_, &upright_cuts_}) {
+    if (cuts->cuts.count > 0) cutTogether(number, *cuts);
   }
 }
 
-/// Adds the edge of a probe to those that a turn cuts.
-void CrossingFinder::addTurnCut(std::size_t probe, double lo, double hi) {
+/// Adds the edge of a probe to those that are cut together.
+void CrossingFinder::addTogether(std::size_t probe, double lo, double hi) {
   const std::uint32_t index = probes_[probe].edge;
   const Edge& e = edges_[index];
   const bool level = e.axis != 2;
-  TurnCuts& turn = level ? level_cuts_ : upright_cuts_;
-  EdgeCuts& cuts = turn.cuts;
+  TogetherCuts& together = level ? level_cuts_ : upright_cuts_;
+  EdgeCuts& cuts = together.cuts;
   const auto i = static_cast<std::size_t>(cuts.count);
-  if (i > 0 && turn.edge[i - 1] == index) return;  // by its other probe
-  turn.edge[i] = index;
-  turn.at[i] = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
+  if (i > 0 && together.edge[i - 1] == index) return;  // by its other probe
+  together.edge[i] = index;
+  together.at[i] = e.forward > 0 ? lo - e.a.z() : e.a.z() - hi;
   cuts.x[i] = e.a.x();
   cuts.y[i] = e.a.y();
   cuts.z[i] = e.a.z();
@@ -335,16 +334,12 @@ void CrossingFinder::addTurnCut(std::size_t probe, double lo, double hi) {
   ++cuts.count;
 }
 
-void CrossingFinder::cutTurnEdges(std::uint32_t number, TurnCuts& turn) {
-  const SweptBody& body = table_.passes[number].body;
-  EdgeCuts& cuts = turn.cuts;
-  cuts_kernel_(body.columns(), cuts);
+void CrossingFinder::cutTogether(std::uint32_t number, TogetherCuts& together) {
+  EdgeCuts& cuts = together.cuts;
+  table_.passes[number].body.cutEdges(cuts);
   for (std::size_t i = 0; i < static_cast<std::size_t>(cuts.count); ++i) {
-    const bool level = cuts.end[i] == 0.0, found = cuts.found[i] > 0.0;
-    EdgeCut cut{level ? cuts.at[i] : turn.at[i], found ? body.startOf(cuts.place[i]) : -1.0};
-    const Vec3& a = edges_[turn.edge[i]].a;
-    if (level && !found) cut = body.curveCut(a, cuts.dx[i], cuts.dy[i], cuts.inside[i]);
-    moveCrossing(number, turn.edge[i], cut);
+    const bool level = cuts.end[i] == 0.0;
+    moveCrossing(number, together.edge[i], {level ? cuts.at[i] : together.at[i], cuts.start[i]});
   }
 }
 
@@ -358,33 +353,29 @@ void CrossingFinder::tryEdge(std::uint32_t number, std::size_t probe, double lo,
   } else {
     const double inside = std::abs(e.axis == 0 ? x_[probe] - e.a.x() : y_[probe] - e.a.y());
     const double dx = e.axis == 0 ? e.forward : 0.0, dy = e.axis == 1 ? e.forward : 0.0;
-    const SweptBody& body = table_.passes[number].body;
-    if (body.isCurvePart()) {
-      cut = body.curveCut(e.a, dx, dy, inside);
-    } else {
-      cut.at = body.levelCut(e.a, dx, dy, inside);
-    }
+    cut = table_.passes[number].body.levelCut(e.a, dx, dy, inside);
   }
   moveCrossing(number, index, cut);
 }
 
-/// The whole curve at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
+/// The whole volume at once: it is convex nowhere, and may cut several pieces out of an edge. Edges are asked
 /// that have moved after the first `since` moves; below 0: all.
-void CrossingFinder::tryCurve(const Near& near, const Sweep& curve, int since) {
+void CrossingFinder::tryWhole(const Near& near, int since) {
+  const SweptBody& body = table_.passes[near.pass].body;
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Edge& e = edges_[probes_[i].edge];
     if ((near.quarters >> e.quarter & 1) == 0) continue;
     if (e.moved <= since || (probes_[i].kind == Probe::kEnd && e.pass == near.pass)) continue;
     const Vec3 p(x_[i], y_[i], z_[i]);
-    if (curve.distance(p, 0.0) >= 0.0) continue;
+    if (!body.covers(p)) continue;
     const double inside = std::abs(p[e.axis] - e.a[e.axis]);
     moveCrossing(near.pass, probes_[i].edge,
-                 {searchCut(curve, e.a, e.forward * Vec3::Unit(e.axis), inside), -1.0});
+                 {body.wholeCut(e.a, e.forward * Vec3::Unit(e.axis), inside), -1.0});
   }
 }
 
-/// Chords lie off their curve, so that a sample may be gone to which the curve does not quite reach: its
-/// edges end there.
+/// Chords lie off the curve that is asked whole, so that a sample may be gone to which it does not quite
+/// reach: its edges end there.
 void CrossingFinder::giveUntaken() {
   for (std::uint32_t i = 0; i < edges_.size(); ++i) {
     const Edge& e = edges_[i];
@@ -393,9 +384,9 @@ void CrossingFinder::giveUntaken() {
     double least = impl_.h;
     std::uint32_t nearest = kOld;
     for (const Near& near : passes_) {
-      const Sweep* curve = table_.passes[near.pass].body.helix();
-      const bool asked = curve != nullptr && (near.quarters >> e.quarter & 1) != 0;
-      const double distance = asked ? curve->distance(gone, least) : least;
+      const SweptBody& body = table_.passes[near.pass].body;
+      const bool asked = body.isAskedWhole() && (near.quarters >> e.quarter & 1) != 0;
+      const double distance = asked ? body.distance(gone, least) : least;
       if (distance < least) least = distance, nearest = near.pass;
     }
     if (nearest != kOld) moveCrossing(nearest, i, {impl_.h, -1.0});

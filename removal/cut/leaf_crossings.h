@@ -21,12 +21,7 @@ struct LostFilm {
 /// Finds crossings; one object a thread, used again and again.
 class CrossingFinder {
  public:
-  CrossingFinder(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl),
-        table_(table),
-        kernel_(columnKernels().columns),
-        reach_(columnKernels().reach),
-        cuts_kernel_(columnKernels().cuts) {}
+  CrossingFinder(const Stock::Impl& impl, const PassTable& table) : impl_(impl), table_(table) {}
 
   /// Crossings of the crossed `edges` of the changed leaf, in order. On each edge the one nearest to the
   /// material counts: of the surface that was there (`before`, the crossings of change.before), or of a pass
@@ -64,8 +59,8 @@ class CrossingFinder {
   struct Group {
     std::size_t first = 0, last = 0;
   };
-  /// A pass that may touch those of some quarters (bits), and heights between which, mm; of the chords of a
-  /// curve one.
+  /// A pass that may touch those of some quarters (bits), and heights between which, mm; of pieces that are
+  /// asked as one the first.
   struct Near {
     std::uint32_t pass;
     unsigned quarters;
@@ -77,10 +72,10 @@ class CrossingFinder {
   void tryPass(const Near& near, int since);
   void tryBatch(std::uint32_t number);
   void tryEdge(std::uint32_t number, std::size_t probe, double lo, double hi);
-  void addTurnCut(std::size_t probe, double lo, double hi);
-  struct TurnCuts;
-  void cutTurnEdges(std::uint32_t number, TurnCuts& turn);
-  void tryCurve(const Near& near, const Sweep& curve, int since);
+  void addTogether(std::size_t probe, double lo, double hi);
+  struct TogetherCuts;
+  void cutTogether(std::uint32_t number, TogetherCuts& together);
+  void tryWhole(const Near& near, int since);
   void giveUntaken();
   void moveCrossing(std::uint32_t number, std::uint32_t edge, const EdgeCut& cut);
   void dropCovered(const Pass& pass);
@@ -90,9 +85,6 @@ class CrossingFinder {
 
   const Stock::Impl& impl_;
   const PassTable& table_;
-  ColumnKernel kernel_;
-  ReachKernel reach_;
-  CutKernel cuts_kernel_;
   std::vector<Edge> edges_;
   struct ProbeOf {
     std::uint32_t edge;
@@ -104,19 +96,19 @@ class CrossingFinder {
   std::array<double, kMaxColumns> ask_x_{}, ask_y_{};  ///< of probes that are asked together
   std::array<std::size_t, kMaxColumns> ask_{};         ///< their numbers
   std::size_t ask_count_ = 0;
-  /// Edges that a turn cuts.
-  struct TurnCuts {
+  /// Edges that a body cuts together.
+  struct TogetherCuts {
     EdgeCuts cuts;
     std::array<std::uint32_t, kMaxColumns> edge;  ///< their numbers
     std::array<double, kMaxColumns> at;           ///< of vertical ones: as EdgeCut::at
   };
-  TurnCuts level_cuts_{}, upright_cuts_{};
+  TogetherCuts level_cuts_{}, upright_cuts_{};
   std::vector<std::uint32_t> tag_;  ///< of points that are asked who covers them: their numbers
   std::vector<Vec3> beyond_;        ///< places beside lost edges
   std::array<double, kMaxColumns> lo_, hi_;
   std::array<Group, 4> groups_;
   std::vector<Near> passes_;
-  ReachList united_;        ///< see uniteChords
+  ReachList united_;        ///< see unitePieces
   bool moved_ = false;      ///< a crossing was taken over
   int moves_ = 0;           ///< how many were, of the edges in hand
   std::vector<int> asked_;  ///< of each pass in hand: value of moves_ when it was asked last

@@ -44,11 +44,6 @@ void columnsToLayers(const unsigned char* columns, LeafBits& layers) {
   }
 }
 
-/// Whether the body covers its columns up to `height` at the least, wherever it covers them.
-bool hasLevelTop(const SweptBody& body, double height) {
-  return !body.isCurvePart() && !body.solid().round_top && body.lowestTop() > height;
-}
-
 std::int64_t volumeUnits(double voxels) { return std::llround(voxels / kVolumeUnit); }
 
 }  // namespace
@@ -61,8 +56,8 @@ void LeafCutter::cut(LeafChange& change, std::span<const StackReach> list) {
   for (std::size_t i = 0; i < list.size() && columns_.layers != 0;) {
     if (list[i].low >= highest_ || !counts(list[i])) {
       ++i;
-    } else if (const std::size_t chords = applyCurve(list.subspan(i))) {
-      i += chords;
+    } else if (const std::size_t pieces = applyPieces(list.subspan(i))) {
+      i += pieces;
     } else {
       apply(list[i++].pass);
     }
@@ -87,14 +82,15 @@ bool LeafCutter::onlyTook() const {
   return more == 0;
 }
 
-/// Applies the chords of a curve at the front of the list, if there are any, and returns their number. They
-/// are one motion, so that their order does not count: those that reach lowest leave nothing to most others.
-std::size_t LeafCutter::applyCurve(std::span<const StackReach> list) {
+/// Applies the pieces of one volume at the front of the list, if there are any, and returns their number.
+/// They are one motion, so that their order does not count: those that reach lowest leave nothing to most
+/// others.
+std::size_t LeafCutter::applyPieces(std::span<const StackReach> list) {
   const Pass& first = table_.passes[list[0].pass];
-  if (first.body.isLine() || first.watched || !first.cuts()) return 0;
+  if (!first.body.isPiece() || first.watched || !first.cuts()) return 0;
   std::size_t count = 0;
   lowest_first_.clear();
-  for (; count < list.size() && table_.passes[list[count].pass].body.isOneCurveWith(first.body); ++count) {
+  for (; count < list.size() && table_.passes[list[count].pass].body.isPieceWith(first.body); ++count) {
     if (counts(list[count])) lowest_first_.push_back({list[count].pass, list[count].low, list[count].high});
   }
   std::stable_sort(lowest_first_.begin(), lowest_first_.end(),
@@ -165,7 +161,7 @@ void LeafCutter::pairUp(const ColumnWords& columns, ColumnWords& x, ColumnWords&
 }
 
 bool LeafCutter::holdsEdges(const Pass& pass) const {
-  if (pass.body.isLine()) return true;
+  if (pass.body.isConvex()) return true;
   const Vec3 low = impl_.position(origin_), high = impl_.position(origin_.offsetBy(8, 8, 8));
   return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
 }
@@ -253,16 +249,16 @@ void LeafCutter::startTops(const LeafChange& change) {
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
   if (pass.isEnvelope()) return lookAround(number);
-  const bool asked = pass.watched || !pass.cuts() || !hasLevelTop(pass.body, highest_);
-  const unsigned hits = asked ? 15 : hits_(pass.body.columns(), columns_, open_);
+  const bool asked = pass.watched || !pass.cuts() || !pass.body.coversUpTo(highest_);
+  const unsigned hits = asked ? 15 : pass.body.hits(columns_, open_);
   if (hits == 0) return;
   double sunk = 0.0, low[4], high[4];
-  reach_(pass.body.columns(), quarters_, low, high);
+  pass.body.reach(quarters_, low, high);
   unsigned quarters = 0;
   for (int q = 0; q < 4; ++q) {
     if (low[q] < quarters_.z_high[q]) quarters |= 1u << q;
   }
-  kernel_(pass.body.columns(), columns_, quarters & hits);
+  pass.body.leafColumns(columns_, quarters & hits);
   for (int q = 0; q < 4; ++q) {
     if ((quarters & hits) >> q & 1) sunk += applyQuarter(number, q);
   }
@@ -272,7 +268,7 @@ void LeafCutter::apply(std::uint32_t number) {
     join(quarters, level);
   }
   takers_[1] = number;
-  if (!hasLevelTop(pass.body, end_ + columns_.h)) level_tops_ = false;
+  if (!pass.body.coversUpTo(end_ + columns_.h)) level_tops_ = false;
   if (sunk > most_sunk_) {
     most_sunk_ = sunk;
     takers_[0] = number;
@@ -287,7 +283,7 @@ void LeafCutter::apply(std::uint32_t number) {
 void LeafCutter::lookAround(std::uint32_t number) {
   const Pass& envelope = table_.passes[number];
   double low[4], high[4];
-  reach_(envelope.body.columns(), quarters_, low, high);
+  envelope.body.reach(quarters_, low, high);
   unsigned quarters = 0;
   for (unsigned q = 0; q < 4; ++q) {
     if (low[q] < quarters_.z_high[q] && high[q] > columns_.z[0]) quarters |= 1u << q;
@@ -304,7 +300,7 @@ void LeafCutter::lookAround(std::uint32_t number) {
 
 /// Finds what the pass covers in quarters (bits) that it takes nothing from.
 void LeafCutter::look(const Pass& pass, unsigned quarters) {
-  kernel_(pass.body.columns(), columns_, quarters);
+  pass.body.leafColumns(columns_, quarters);
   covered_ &= ~quarters;
 }
 
@@ -359,24 +355,24 @@ void LeafCutter::contact(std::uint32_t number, int quarter, const double* top) {
   const LeafColumns& l = columns_;
   ContactSample found{number, 0.0, Vec3::Zero(), 0};
   double height = 0.0;
-  if (met_ == nullptr || !pass.body.isOneCurveWith(met_->body)) {
+  if (met_ == nullptr || !pass.body.isPieceWith(met_->body)) {
     met_low_.fill(std::numeric_limits<double>::infinity());
     met_bits_.fill(0);
   }
   met_ = &pass;
-  const Sweep sweep = pass.body.wholeSweep();
+  const SweptField field = pass.body.field();
   const auto look = [&](int c, double z, double most) {
     const double known = found.depth > kContactToleranceMm ? kNearlyDeepest * found.depth : found.depth;
     if (std::min({most, z - l.lo[c], l.hi[c] - z}) <= known) return;
     const Vec3 at(l.x[c], l.y[c], z);
-    const double depth = -sweep.distance(at, -found.depth);
+    const double depth = -field.distance(at, -found.depth);
     if (depth > found.depth) found.depth = depth, found.where = at;
   };
   for (int i = 0; i < kQuarter; ++i) {
     const int c = quarter * kQuarter + i;
     const unsigned touched = l.covered[c] & l.material[c];
     if (touched == 0 && l.top[c] >= top[i]) continue;
-    const double most = pass.body.levelDepth(l.x[c], l.y[c]);
+    const double most = pass.body.mostDepth(l.x[c], l.y[c]);
     if (l.top[c] < top[i]) look(c, top[i], most);
     for (int z = 7; z >= 0; --z) {
       if (touched >> z & 1) look(c, l.z[z], most);

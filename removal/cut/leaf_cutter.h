@@ -43,11 +43,8 @@ class LeafCutter {
       : impl_(impl),
         table_(table),
         reader_(impl),
-        kernel_(columnKernels().leaf),
         lower_(columnKernels().lower),
-        hits_(columnKernels().hits),
-        cover_(columnKernels().cover),
-        reach_(columnKernels().reach) {}
+        cover_(columnKernels().cover) {}
 
   /// Takes those of `list` (what reaches into the leaf's stack, in program order) that count for the leaf's
   /// block of 9x9x9 samples through the samples of change.material.
@@ -70,7 +67,7 @@ class LeafCutter {
   void start(const LeafChange& change);
   bool onlyTook() const;
   void startTops(const LeafChange& change);
-  std::size_t applyCurve(std::span<const StackReach> list);
+  std::size_t applyPieces(std::span<const StackReach> list);
   bool counts(const StackReach& reach) const;
   void apply(std::uint32_t number);
   double applyQuarter(std::uint32_t number, int quarter);
@@ -87,11 +84,8 @@ class LeafCutter {
   const Stock::Impl& impl_;
   const PassTable& table_;
   LeafReader reader_;
-  LeafKernel kernel_;
   LowerKernel lower_;
-  HitKernel hits_;
   CoverKernel cover_;
-  ReachKernel reach_;
   Coord origin_;
   double highest_ = 0.0;                   ///< highest top, mm
   unsigned open_ = 0;                      ///< quarters (bits) with a top above the lowest samples
@@ -106,7 +100,7 @@ class LeafCutter {
   ColumnWords initial_{};                             ///< material before the first pass
   ColumnWords joined_x_{}, joined_y_{}, joined_z_{};  ///< edges that one pass covered whole
   std::vector<std::pair<MotionId, std::int64_t>> removed_;
-  ReachList lowest_first_;  ///< chords of one curve
+  ReachList lowest_first_;  ///< pieces of one volume
   std::vector<ContactSample> contacts_;
   std::vector<NearSample> near_;
   const Pass* met_ = nullptr;                 ///< the last that touched something

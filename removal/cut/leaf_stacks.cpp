@@ -33,7 +33,7 @@ StackList allPasses(const PassTable& table, double h) {
     const Pass& pass = table.passes[i];
     // The block of a leaf reaches one step beyond its samples.
     const float covered =
-        pass.lower == 0 ? -kNowhere : roundedDown((&pass + pass.lower)->body.lowestTop() - h);
+        pass.lower == 0 ? -kNowhere : roundedDown((&pass + pass.lower)->body.coveredTop() - h);
     all.push_back({i, -kNowhere, roundedUp(pass.body.highestReach()), covered});
   }
   return all;
@@ -88,7 +88,6 @@ struct LeafStacks::Visit {
   const PassTable& table;
   const std::function<bool()>& stopped;
   const Body& body;
-  ReachKernel reach;
   /// Lists that were used. Freed ones would go back to the system and come again as new pages, over and over.
   tbb::enumerable_thread_specific<std::vector<StackList>> spare;
 
@@ -111,7 +110,7 @@ void LeafStacks::visit(const PassTable& table, const std::function<bool()>& stop
   spread();
   const int top = static_cast<int>(levels_.size()) - 1;
   if (heightOf(top, 0, 0) == kNone) return;
-  Visit visit{table, stopped, body, columnKernels().reach, {}};
+  Visit visit{table, stopped, body, {}};
   quarter(visit, top, 0, 0, allPasses(table, impl_.h));
 }
 
@@ -145,7 +144,7 @@ void LeafStacks::quarter(Visit& visit, int level, int x, int y, const StackList&
   }
   for (const StackReach& reach : list) {
     double low[4], high[4];
-    visit.reach(visit.table.passes[reach.pass].body.columns(), blocks, low, high);
+    visit.table.passes[reach.pass].body.reach(blocks, low, high);
     for (std::size_t i = 0; i < 4; ++i) {
       if (low[i] >= blocks.z_high[i] || reach.covered >= blocks.z_high[i]) continue;
       lists[i].push_back({reach.pass, roundedDown(low[i]), roundedUp(high[i]), reach.covered});

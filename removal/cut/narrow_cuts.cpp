@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "core/base/parallel_for.h"
 
@@ -15,12 +16,6 @@ constexpr double kDent = 0.05;
 constexpr int kRim = 8;
 constexpr std::size_t kPassesATime = 256;
 constexpr double kMostPoints = 1e5;
-
-/// Where the tool stands.
-struct Place {
-  Vec3 at;  ///< tip, mm
-  Vec2 forward;
-};
 
 double radiusAt(const ColumnSolid& solid, double height) {
   double low = 0.0, high = solid.radius;
@@ -57,7 +52,8 @@ class Search {
   bool inMaterial(const Vec3& p) const;
   bool isLost(const Vec3& p, const Vec2& forward, double rise, int tool) const;
   double depthBelowTop(const Vec3& p, double most) const;
-  bool isLostAt(const Pass& pass, const Place& place, Vec3& where) const;
+  ToolPlace placeOn(const Motion& motion, double t, double step) const;
+  bool isLostAt(const Pass& pass, const ToolPlace& place, Vec3& where) const;
 
   const Stock::Impl& impl_;
   const Toolpath& path_;
@@ -143,8 +139,8 @@ double Search::depthBelowTop(const Vec3& p, double most) const {
   return std::clamp(heightAbove(at) - p.z(), 0.0, most);
 }
 
-bool Search::isLostAt(const Pass& pass, const Place& place, Vec3& where) const {
-  const ColumnSolid& solid = pass.body.solid();
+bool Search::isLostAt(const Pass& pass, const ToolPlace& place, Vec3& where) const {
+  const ColumnSolid& solid = *pass.body.uprightSolid();
   const double height = solid.z_max - solid.z_min, reach = std::min(solid.radius, columnReach(impl_.h));
   const double rise = solid.lower.height(reach) - solid.z_min;
   const int tool = path_.motions[pass.motion].tool;
@@ -163,34 +159,26 @@ bool Search::isLostAt(const Pass& pass, const Place& place, Vec3& where) const {
   return false;
 }
 
+/// On the motion's own way; `step`: part of it that tells the direction.
+ToolPlace Search::placeOn(const Motion& motion, double t, double step) const {
+  const Vec2 way = (path_.pointAt(motion, t + step) - path_.pointAt(motion, t - step)).head<2>();
+  const double level = way.norm();
+  return {path_.pointAt(motion, t), level > 0.0 ? Vec2(way / level) : Vec2::UnitX()};
+}
+
 double Search::follow(const Pass& pass, Vec3& first, double& width) const {
-  const ColumnSweep& c = pass.body.columns();
-  const bool arc = pass.body.isLevelArc(), part = pass.body.isCurvePart();
   const Motion& motion = path_.motions[pass.motion];
-  double turn = std::atan2(c.sin_sweep, c.cos_sweep);
-  if (turn < 0.0) turn += 2.0 * kPi;
-  if (c.full) turn = 2.0 * kPi;
-  const double length = arc ? turn * c.arc_radius : part ? path_.length(motion) : sweepWay(c).norm();
+  const std::optional<double> own = pass.body.ownLength();
+  const double length = own ? *own : path_.length(motion);
   const int count = static_cast<int>(std::clamp(std::ceil(length / impl_.h), 1.0, kMostPoints));
   int lost = 0;
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
-    Place place{sweepStart(c) + t * sweepWay(c), {c.ux, c.uy}};
-    if (arc) {
-      const double a = t * turn * c.turn, dx = c.start_x - c.x, dy = c.start_y - c.y;
-      const Vec2 out(dx * std::cos(a) - dy * std::sin(a), dx * std::sin(a) + dy * std::cos(a));
-      place = {Vec3(c.x + out.x(), c.y + out.y(), c.z), Vec2(-out.y(), out.x()) / c.arc_radius};
-    }
-    if (part) {
-      const double step = 0.25 / count;
-      const Vec2 way = (path_.pointAt(motion, t + step) - path_.pointAt(motion, t - step)).head<2>();
-      const double level = way.norm();
-      place = {path_.pointAt(motion, t), level > 0.0 ? Vec2(way / level) : Vec2::UnitX()};
-    }
+    const ToolPlace place = own ? pass.body.placeAt(t) : placeOn(motion, t, 0.25 / count);
     Vec3 where;
     if (!isLostAt(pass, place, where)) continue;
     if (lost++ > 0) continue;
-    const ColumnSolid& solid = *c.solid;
+    const ColumnSolid& solid = *pass.body.uprightSolid();
     const double height = solid.z_max - solid.z_min;
     first = where;
     width = height;
@@ -206,10 +194,11 @@ std::vector<NarrowCut> findNarrowCuts(const Stock::Impl& impl, const PassTable& 
   std::vector<std::uint32_t> passes;
   for (std::uint32_t i = 0; i < table.passes.size(); ++i) {
     const Pass& pass = table.passes[i];
-    if (!pass.cuts()) continue;
-    if (pass.body.isCurvePart() && table.goesOn(i)) continue;  // followed from its first part on
-    const auto [known, added] = narrow.try_emplace(&pass.body.solid());
-    if (added) known->second = isNarrow(pass.body.solid(), impl.h);
+    const ColumnSolid* const solid = pass.body.uprightSolid();
+    if (!pass.cuts() || solid == nullptr) continue;
+    if (!pass.body.ownLength() && table.goesOn(i)) continue;  // followed from its first piece on
+    const auto [known, added] = narrow.try_emplace(solid);
+    if (added) known->second = isNarrow(*solid, impl.h);
     if (known->second) passes.push_back(i);
   }
   struct Found {

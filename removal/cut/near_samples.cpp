@@ -43,7 +43,7 @@ unsigned thinned(unsigned run) {
 
 void addNearSamples(const PassTable& table, std::uint32_t number, const LeafColumns& leaf, int quarter,
                     std::vector<NearSample>& out) {
-  const Sweep sweep = table.passes[number].body.wholeSweep();
+  const SweptField sweep = table.passes[number].body.field();
   const double reach = (kNearLevel + kNearUpright) * leaf.h;
   Sides sides;
   for (int c = quarter * kQuarter; c < (quarter + 1) * kQuarter; ++c) {

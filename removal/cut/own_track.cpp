@@ -20,7 +20,7 @@ bool OwnTrack::holds(const Motion& next, const ToolParts& tool, const ToolParts:
   if (next.tool != tool_ || next.arc >= 0 || !isHere(next.from) || !isHere(next.to)) return false;
   if (std::min(next.from.z(), next.to.z()) < low_ - kOnePlaceMm) return false;
   // A cutter that is nowhere wider than at its level top covers what it has below it on its way up.
-  if (tool.solid.cutter.size() != 1 || tool.parts.front().columns.round_top) return false;
+  if (tool.solid.cutter.size() != 1 || !hasLevelTop(tool.parts.front().columns)) return false;
   const ConvexProfile& cutter = tool.solid.cutter.front();
   return low_ + cutter.zMax() >= top && part.profile->maxRadius() <= cutter.maxRadius();
 }

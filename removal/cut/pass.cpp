@@ -4,20 +4,20 @@
 
 namespace proveout {
 
-void uniteChords(const PassTable& table, std::span<const Reach> list, ReachList& out) {
+void unitePieces(const PassTable& table, std::span<const Reach> list, ReachList& out) {
   out.clear();
-  const Sweep* last = nullptr;
+  const SweptBody* last = nullptr;
   for (const Reach& reach : list) {
     const Pass& pass = table.passes[reach.pass];
     if (!pass.cuts()) continue;
-    const Sweep* curve = pass.body.helix();
-    if (curve != nullptr && curve == last) {
+    const SweptBody* whole = pass.body.isAskedWhole() ? &pass.body : nullptr;
+    if (whole != nullptr && last != nullptr && whole->isPieceWith(*last)) {
       out.back().low = std::min(out.back().low, reach.low);
       out.back().high = std::max(out.back().high, reach.high);
     } else {
       out.push_back(reach);
     }
-    last = curve;
+    last = whole;
   }
 }
 

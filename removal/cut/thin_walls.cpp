@@ -42,7 +42,7 @@ LostFilm ThinWallFinder::find(const LeafChange& change, const LeafEdges& edges, 
                               std::span<const Reach> list) {
   LostFilm lost;
   collect(change, edges, open);
-  if (!stacks_.empty()) uniteChords(table_, list, list_);
+  if (!stacks_.empty()) unitePieces(table_, list, list_);
   for (std::size_t first = 0; first < stacks_.size(); first += kBatch) {
     drop(first, std::min(kBatch, stacks_.size() - first));
   }
@@ -114,7 +114,7 @@ bool ThinWallFinder::besideMaterial(const Coord& origin, int axis, int x, int y,
 }
 
 bool ThinWallFinder::holdsEdges(const Pass& pass) const {
-  if (pass.body.isLine()) return true;
+  if (pass.body.isConvex()) return true;
   const Vec3 low = impl_.position(origin_), high = impl_.position(origin_.offsetBy(8, 8, 8));
   return pass.body.holdsEdges(impl_.h, 0.5 * (low + high).head<2>(), 6.0 * impl_.h);
 }
@@ -166,8 +166,8 @@ bool ThinWallFinder::keepOpen(std::size_t first, std::size_t& count) {
 
 /// False when nothing is open any more.
 bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_t& count) {
-  if (const Sweep* curve = pass.body.helix()) return dropHeld(*curve, first, count);
-  kernel_(pass.body.columns(), x_.data(), y_.data(), static_cast<int>(2 * count), lo_.data(), hi_.data());
+  if (pass.body.isAskedWhole()) return dropHeld(pass.body, first, count);
+  pass.body.columns(x_.data(), y_.data(), static_cast<int>(2 * count), lo_.data(), hi_.data());
   for (std::size_t i = 0; i < count; ++i) {
     Stack& stack = stacks_[first + i];
     const double lo = std::max(lo_[2 * i], lo_[2 * i + 1]), hi = std::min(hi_[2 * i], hi_[2 * i + 1]);
@@ -180,15 +180,15 @@ bool ThinWallFinder::dropCovered(const Pass& pass, std::size_t first, std::size_
   return keepOpen(first, count);
 }
 
-/// The same for a whole curve: edges that the tool holds at one place of it.
-bool ThinWallFinder::dropHeld(const Sweep& curve, std::size_t first, std::size_t& count) {
+/// The same for a body that is asked whole: edges that the tool holds at one place of its way.
+bool ThinWallFinder::dropHeld(const SweptBody& body, std::size_t first, std::size_t& count) {
   for (std::size_t i = 0; i < count; ++i) {
     Stack& stack = stacks_[first + i];
     for (unsigned left = stack.open; left != 0; left &= left - 1) {
       const int z = std::countr_zero(left);
       const Vec3 a(x_[2 * i], y_[2 * i], z_[z]),
           b(x_[2 * i + 1], y_[2 * i + 1], z_[z + (stack.axis == 2 ? 1 : 0)]);
-      if (curve.holds(a, b)) stack.open &= static_cast<std::uint8_t>(~(1u << z));
+      if (body.holds(a, b)) stack.open &= static_cast<std::uint8_t>(~(1u << z));
     }
   }
   return keepOpen(first, count);
@@ -213,14 +213,14 @@ void ThinWallFinder::askPoints(const Stack& stack, LostFilm& lost) {
   for (const Reach& reach : list_) {
     if (reach.low >= highest || reach.high <= lowest) continue;
     const Pass& pass = table_.passes[reach.pass];
-    const Sweep* curve = pass.body.helix();
-    if (curve == nullptr) kernel_(pass.body.columns(), x_.data(), y_.data(), columns, lo_.data(), hi_.data());
+    const bool whole = pass.body.isAskedWhole();
+    if (!whole) pass.body.columns(x_.data(), y_.data(), columns, lo_.data(), hi_.data());
     for (int z = 0; z < 8; ++z) {
       for (std::uint64_t left = bare[z]; left != 0; left &= left - 1) {
         const int i = std::countr_zero(left), column = stack.axis == 2 ? 0 : i;
         const double at = z_[z] + (stack.axis == 2 ? along(i) : 0.0);
-        const bool covered = curve != nullptr ? curve->distance({x_[column], y_[column], at}, 0.0) < 0.0
-                                              : lo_[column] < at && at < hi_[column];
+        const bool covered =
+            whole ? pass.body.covers({x_[column], y_[column], at}) : lo_[column] < at && at < hi_[column];
         if (covered) bare[z] &= ~(1ull << i);
       }
     }

@@ -20,7 +20,7 @@ namespace proveout {
 class ThinWallFinder {
  public:
   ThinWallFinder(const Stock::Impl& impl, const PassTable& table)
-      : impl_(impl), table_(table), reader_(impl), kernel_(columnKernels().columns) {}
+      : impl_(impl), table_(table), reader_(impl) {}
 
   /// `edges`: those crossed now. `open`: may be null. The stock holds the new samples of all leaves.
   LostFilm find(const LeafChange& change, const LeafEdges& edges, const OpenEdges* open,
@@ -44,19 +44,18 @@ class ThinWallFinder {
   bool holdsEdges(const Pass& pass) const;
   bool keepOpen(std::size_t first, std::size_t& count);
   bool dropCovered(const Pass& pass, std::size_t first, std::size_t& count);
-  bool dropHeld(const Sweep& curve, std::size_t first, std::size_t& count);
+  bool dropHeld(const SweptBody& body, std::size_t first, std::size_t& count);
   void askPoints(const Stack& stack, LostFilm& lost);
   Vec3 start(const Stack& stack) const;
 
   const Stock::Impl& impl_;
   const PassTable& table_;
   LeafReader reader_;
-  ColumnKernel kernel_;
   Coord origin_;
   std::array<std::uint32_t, 2> takers_{};  ///< as in LeafChange
   std::array<double, 9> z_{};              ///< heights of the leaf's samples
   std::vector<Stack> stacks_;
-  ReachList list_;  ///< see uniteChords
+  ReachList list_;  ///< see unitePieces
   std::array<double, kMaxColumns> x_{}, y_{}, lo_{}, hi_{};
 };
 

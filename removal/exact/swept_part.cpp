@@ -10,7 +10,7 @@
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
 #include "removal/grid/placed_field.h"
-#include "removal/sweep/sweep.h"
+#include "removal/sweep/motion_bodies.h"
 #include "removal/turning/section/section.h"
 #include "removal/turning/section/section_field.h"
 #include "removal/turning/turned_field.h"
@@ -39,7 +39,7 @@ class CutBodies {
   auto withSweep(const Body& b, const Ask& ask) const {
     if (b.curve >= 0) return ask(curves_[static_cast<std::size_t>(b.curve)]);
     const Motion& m = path_.motions[b.motion];
-    return ask(Sweep(*b.profile, m.from, m.to, nullptr));
+    return ask(motionField(*b.profile, m, nullptr));
   }
 
  public:
@@ -76,7 +76,7 @@ class CutBodies {
   Vec3 gradient(std::int64_t body, const Vec3& p) const {
     const Body& b = bodies_[static_cast<std::size_t>(body)];
     return from_last_.rotation.transpose() *
-           withSweep(b, [&](const Sweep& s) { return s.sample(from_last_(p)).gradient; });
+           withSweep(b, [&](const SweptField& s) { return s.sample(from_last_(p)).gradient; });
   }
   MotionId motionOf(std::int64_t body) const { return bodies_[static_cast<std::size_t>(body)].motion; }
 
@@ -132,21 +132,19 @@ class CutBodies {
   /// Around the way from one parameter of the motion to another, for the last body.
   void addBox(const Motion& m, const ConvexProfile& profile, double from, double to, double slack) {
     const Vec3 a = path_.pointAt(m, from), b = path_.pointAt(m, to);
-    const double r = profile.maxRadius() + slack;
-    boxes_.push_back({a.cwiseMin(b) + Vec3(-r, -r, profile.zMin() - slack),
-                      a.cwiseMax(b) + Vec3(r, r, profile.zMax() + slack)});
+    boxes_.push_back(partBounds(profile, m, {a.cwiseMin(b), a.cwiseMax(b)}, slack));
     body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
   }
 
   double distance(const Body& b, const Vec3& q, double cutoff) const {
-    return withSweep(b, [&](const Sweep& s) { return s.distance(q, cutoff); });
+    return withSweep(b, [&](const SweptField& s) { return s.distance(q, cutoff); });
   }
 
   const Toolpath& path_;
   RigidTransform from_last_;
   std::map<int, ToolSolid> solids_;  ///< by number of the tool
   std::vector<Body> bodies_;
-  std::deque<Sweep> curves_;
+  std::deque<SweptField> curves_;
   std::vector<Box3> boxes_;
   std::vector<std::uint32_t> body_of_;  ///< per box
   BoxTree tree_;

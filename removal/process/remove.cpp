@@ -34,18 +34,6 @@ namespace proveout {
 
 namespace {
 
-/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the
-/// surface has elsewhere. On helices about z, whose crossings are those of the curve itself, chords decide
-/// samples only, and a crossing that lies that close to one may be off by as much: there this share of the
-/// grid will do. Level arcs of one radius have a closed form and need none.
-constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
-/// The same for parts of the tool that do not cut: below what counts as contact.
-constexpr double kContactChordMm = 5e-4;
-constexpr double kMostChords = 1e6, kMostTurns = 1e5;
-/// Level arcs whose radius and height change by less than this are circles, mm.
-constexpr double kSameRadiusMm = 1e-7;
-/// Curves with a smaller radius, mm, or angle are cut as chords.
-constexpr double kLeastCurve = 1e-3;
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 class Remover {
@@ -62,6 +50,7 @@ class Remover {
         blank_(impl.uncut != nullptr ? impl.uncut : impl.field),
         record_(std::make_shared<CutRecord>()),
         table_(record_->table),
+        bodies_(path, impl.h, impl.blank.max.z(), table_.store),
         depth_(impl, blank_.get(), *record_),
         near_(depth_, table_, impl.h),
         removed_(path.motions.size()),
@@ -80,11 +69,6 @@ class Remover {
   bool needsEnvelope(const Motion& m, const ToolParts::Part& part) const;
   void addEnvelope(MotionId id, ToolParts::Part& part);
   void addPasses(MotionId id, const ToolParts::Part& part, bool watched);
-  void addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
-  bool addTurns(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
-  bool addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve);
-  void addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns, const Sweep& curve);
-  bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
   void takeOverBlank();
   void giveBackBlank();
   bool inBlank(const Coord& origin) const;
@@ -120,9 +104,9 @@ class Remover {
   std::shared_ptr<const BlankField> blank_;  ///< the blank before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
   PassTable& table_;
+  BodyMaker bodies_;
   OwnTrack track_;
-  MotionId way_of_ = kNoMotion;  ///< that the last of the ways belongs to
-  StockDepth depth_;             ///< before the path
+  StockDepth depth_;  ///< before the path
   NearContacts near_;
   std::vector<std::atomic<std::int64_t>> removed_;
   tbb::enumerable_thread_specific<LeafCutter> cutters_;
@@ -170,13 +154,6 @@ void addTo(std::atomic<double>& sum, double value) {
   }
 }
 
-bool Remover::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
-  const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
-  return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
-         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm &&
-         frame.radius_start > kSameRadiusMm;
-}
-
 /// Envelopes go before what they are around, which may take away what they are to come near to.
 void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part) {
   const Motion& m = path_.motions[id];
@@ -192,11 +169,7 @@ void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part)
 bool Remover::needsEnvelope(const Motion& m, const ToolParts::Part& part) const {
   if (!watch_all_ && !spindle_used_ && part.part == ToolPart::kCutter && m.kind != MotionKind::kRapid)
     return false;
-  Box3 way = path_.bounds(m);
-  const double r = part.profile->maxRadius();
-  way.min += Vec3(-r, -r, part.profile->zMin());
-  way.max += Vec3(r, r, part.profile->zMax());
-  return way.overlaps(impl_.blank);
+  return partBounds(*part.profile, m, path_.bounds(m), 0.0).overlaps(impl_.blank);
 }
 
 void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
@@ -214,125 +187,14 @@ void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
 }
 
 void Remover::addPasses(MotionId id, const ToolParts::Part& part, bool watched) {
-  const Motion& m = path_.motions[id];
   Pass pass;
   pass.motion = id;
   pass.part = part.part;
   pass.watched = watched;
-  if (m.arc < 0) {
-    pass.body = SweptBody(*part.profile, part.columns, m.from, m.to);
-    table_.passes.push_back(pass);
-    return;
-  }
-  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
-  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const Sweep& curve = table_.curves.emplace_back(*part.profile, m.from, m.to, &arc);
-  if (isLevelArc(m, arc)) {
-    pass.body = SweptBody(*part.profile, part.columns, m.from, m.to, arc, curve);
-    table_.passes.push_back(pass);
-    return;
-  }
-  if (addTurns(pass, part, m, curve) || addWay(pass, part, m, curve)) return;
-  addChords(pass, part, m, curve);
-}
-
-/// Turns of a helix about z, or the two halves of an upright arc. Turns lie under each other: where a lower
-/// one covers all of the blank that the next does, this is left out. False for curves that have neither.
-bool Remover::addTurns(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
-  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const ArcFrame frame = arcFrame(m.from, m.to, arc);
-  const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
-  if (growth > 2.0 * kChordMm || std::min(frame.radius_start, sweep) < kLeastCurve) return false;
-  if (sweep > 2.0 * kPi * kMostChords) return false;
-  const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
-  const bool upright = std::abs(arc.normal.z()) < 1e-12 && std::abs(frame.rise) < kSameRadiusMm;
-  if (!about_z && !upright) return false;
-  const std::vector<ColumnSweep> parts = about_z ? columnTurns(part.columns, m.from, m.to, arc)
-                                                 : columnUprights(part.columns, m.from, m.to, arc);
-  const double blank_top = impl_.blank.max.z() + impl_.h;
-  const bool falls = m.to.z() < m.from.z();
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    pass.body = SweptBody(*part.profile, parts[i], curve);
-    const std::size_t below = falls ? i + 1 : i - 1;
-    const bool takes = !pass.watched && pass.cuts() && !part.columns.round_top;
-    const bool has_lower = about_z && takes && below < parts.size() && isWholeTurn(parts[below]);
-    pass.lower = has_lower ? (falls ? 1 : -1) : 0;
-    if (has_lower && SweptBody(*part.profile, parts[below], curve).lowestTop() >= blank_top) continue;
-    table_.passes.push_back(pass);
-  }
-  return true;
-}
-
-/// Parts of a spiral about z, of a helix whose radius changes, and of arcs and helices about axes that lean.
-/// Parts that vectors serve for all columns are bodies; others are searched column by column, which is slower
-/// than chords where these have closed forms, and on arcs that lean.
-bool Remover::addWay(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
-  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const double sweep = std::abs(arc.sweep_rad);
-  const bool leans = arc.normal.head<2>().squaredNorm() > 1e-24;
-  if (leans && !hasPlainEnds(part.columns)) return false;
-  const bool level = std::abs(m.to.z() - m.from.z()) < kSameRadiusMm;
-  const bool closed_form = part.columns.flat || part.columns.ball;
-  if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
-  if (way_of_ != pass.motion) table_.ways.push_back(curveWay(m.from, m.to, arc));
-  way_of_ = pass.motion;
-  for (const ColumnSweep& columns : columnParts(part.columns, table_.ways.back())) {
-    const bool chords = (leans || (closed_form && !level)) && !isPlainPart(columns);
-    if (chords && !columns.again) addWayChords(pass, part, columns, curve);
-    if (chords) continue;
-    pass.body = SweptBody(*part.profile, columns, curve);
-    table_.passes.push_back(pass);
-  }
-  return true;
-}
-
-/// Chords of a part.
-void Remover::addWayChords(Pass pass, const ToolParts::Part& part, const ColumnSweep& columns,
-                           const Sweep& curve) {
-  const CurveWay& way = *columns.way;
-  const double within = pass.cuts() ? kChordMm : kContactChordMm, wide = CurveWay::kNodesAPart * way.node_rad;
-  const double step = std::sqrt(8.0 * within / std::max(way.most_bend, 1e-6));
-  const int chords = static_cast<int>(std::ceil(wide / step));
-  const double first = columns.part * wide;
-  for (int i = 0; i < chords; ++i) {
-    const Vec3 from = way.node(first + wide * i / chords).at,
-               to = way.node(first + wide * (i + 1) / chords).at;
-    pass.body = SweptBody(*part.profile, part.columns, from, to, &curve);
-    table_.passes.push_back(pass);
-  }
-}
-
-/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
-/// all of the blank that the upper ones do, these are left out.
-void Remover::addChords(Pass pass, const ToolParts::Part& part, const Motion& m, const Sweep& curve) {
-  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const ArcFrame frame = arcFrame(m.from, m.to, arc);
-  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
-               sweep = std::abs(arc.sweep_rad);
-  pass.body = SweptBody(*part.profile, part.columns, m.from, m.to, &curve);
-  const double within = !pass.cuts()                   ? kContactChordMm
-                        : pass.body.helix() != nullptr ? std::max(kChordMm, kChordShare * impl_.h)
-                                                       : kChordMm;
-  const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
-  const bool stacked = sweep > turn && !pass.watched && pass.cuts() &&
-                       arc.normal.head<2>().squaredNorm() < 1e-24 && frame.rise != 0.0 &&
-                       std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm;
-  const double wanted = std::min(stacked ? turn / std::ceil(turn / step) : step, sweep);
-  const int chords = static_cast<int>(std::clamp(std::ceil(sweep / wanted - 1e-9), 1.0, kMostChords));
-  const bool exact = chords < kMostChords;  // else they are longer than wanted
-  const double angle = stacked && exact ? wanted : sweep / chords;
-  const int per_turn = stacked && exact ? static_cast<int>(std::lround(turn / angle)) : 0;
-  const bool falls = frame.n.z() * frame.rise < 0.0;
-  const double blank_top = impl_.blank.max.z() + impl_.h, pitch = std::abs(frame.rise) * turn / sweep;
-  Vec3 from = m.from;
-  for (int i = 0; i < chords; ++i) {
-    const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
-    pass.body = SweptBody(*part.profile, part.columns, from, to, &curve);
-    from = to;
-    const bool has_lower =
-        per_turn > 0 && !part.columns.round_top && (falls ? i + per_turn + 1 < chords : i >= per_turn);
-    pass.lower = has_lower ? (falls ? per_turn : -per_turn) : 0;
-    if (has_lower && pass.body.lowestTop() - pitch >= blank_top) continue;
+  for (const MotionBody& made :
+       bodies_.make(id, {part.profile, &part.columns, pass.cuts(), pass.cuts() && !pass.watched})) {
+    pass.body = made.body;
+    pass.lower = made.lower;
     table_.passes.push_back(pass);
   }
 }

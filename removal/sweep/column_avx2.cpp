@@ -2,8 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels avx2Kernels() {
-  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "avx2"};
-}
+ColumnKernels avx2Kernels() { return kernels("avx2"); }
 
 }  // namespace proveout

@@ -2,8 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels avx512Kernels() {
-  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "avx512"};
-}
+ColumnKernels avx512Kernels() { return kernels("avx512"); }
 
 }  // namespace proveout

@@ -2,8 +2,6 @@
 
 namespace proveout {
 
-ColumnKernels baselineKernels() {
-  return {columns, leafColumns, lowerTops, leafHits, cover, reachFour, edgeCuts, "baseline"};
-}
+ColumnKernels baselineKernels() { return kernels("baseline"); }
 
 }  // namespace proveout

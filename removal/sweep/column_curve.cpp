@@ -302,11 +302,11 @@ Lowest leastOver(const ColumnBoundary& boundary, double p2, double k2, double fr
 
 /// Angle of a point seen from the axis, in the sense of the motion, from cut_rad on; `d`: its distance. The
 /// kernels have the same bits: a column at the cut lies on one side of it for all.
-double angleOf(const ColumnSweep& s, double qx, double qy, double d) {
+double angleOf(const TurnSweep& s, double qx, double qy, double d) {
   return turnAngle(qx * s.ux + qy * s.uy, s.turn * (s.ux * qy - s.uy * qx), d, s.cut_rad);
 }
 
-Interval turnColumn(const ColumnSweep& s, double x, double y, const Asked& asked) {
+Interval column(const TurnSweep& s, double x, double y, const Asked& asked) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double d = std::sqrt(qx * qx + qy * qy), gap = std::abs(d - s.arc_radius);
   if (gap >= radius && !asked.rim) return {};
@@ -335,7 +335,7 @@ Interval turnColumn(const ColumnSweep& s, double x, double y, const Asked& asked
   return in;
 }
 
-Interval uprightColumn(const ColumnSweep& s, double x, double y, const Asked& asked) {
+Interval column(const UprightSweep& s, double x, double y, const Asked& asked) {
   const double qx = x - s.x, qy = y - s.y, radius = s.solid->radius;
   const double along = qx * s.ux + qy * s.uy, across = qx * s.uy - qy * s.ux;
   const double p2 = across * across, reach = root(radius * radius - p2);
@@ -366,7 +366,7 @@ struct Over {
   double low = kNothing, high = -kNothing, gap = kNothing;
 };
 
-Over turnOver(const ColumnSweep& s, const Square& square, double reach) {
+Over over(const TurnSweep& s, const Square& square, double reach) {
   const double qx = square.x - s.x, qy = square.y - s.y, d = std::sqrt(qx * qx + qy * qy);
   const double gap = std::abs(d - s.arc_radius);
   if (gap > reach) return {};
@@ -387,7 +387,7 @@ Over turnOver(const ColumnSweep& s, const Square& square, double reach) {
   return {std::min(a, b), std::max(a, b), gap};
 }
 
-Over uprightOver(const ColumnSweep& s, const Square& square, double reach) {
+Over over(const UprightSweep& s, const Square& square, double reach) {
   const double qx = square.x - s.x, qy = square.y - s.y;
   const double along = qx * s.ux + qy * s.uy, across = qx * s.uy - qy * s.ux;
   const double beyond = along - std::clamp(along, s.first_mm, s.last_mm);
@@ -399,9 +399,8 @@ Over uprightOver(const ColumnSweep& s, const Square& square, double reach) {
   return {s.start_z + std::min({a, b, m}), s.start_z + std::max({a, b, m}), std::sqrt(gap2)};
 }
 
-Interval column(const ColumnSweep& s, double x, double y, const Asked& asked) {
-  if (s.kind == ColumnSweep::Kind::kWay) return wayColumn(s, x, y, asked);
-  return s.kind == ColumnSweep::Kind::kTurn ? turnColumn(s, x, y, asked) : uprightColumn(s, x, y, asked);
+Interval column(const WaySweep& s, double x, double y, const Asked& asked) {
+  return wayColumn(s, x, y, asked);
 }
 
 /// Level, mm.
@@ -416,22 +415,30 @@ struct Seen {
   double rise;  ///< of the way's height with the place
 };
 
-Seen seen(const ColumnSweep& s, double x, double y, const Interval& in, double u) {
+Seen seen(const WaySweep& s, double x, double y, const Interval&, double u) {
+  const CurveWay::Node n = s.way->node(u);
+  return {{x - n.at.x(), y - n.at.y()}, {n.velocity.x(), n.velocity.y()}, n.velocity.z()};
+}
+Seen seen(const UprightSweep& s, double x, double y, const Interval& in, double u) {
   const double qx = x - s.x, qy = y - s.y;
-  if (s.kind == ColumnSweep::Kind::kWay) {
-    const CurveWay::Node n = s.way->node(u);
-    return {{x - n.at.x(), y - n.at.y()}, {n.velocity.x(), n.velocity.y()}, n.velocity.z()};
-  }
-  if (s.kind == ColumnSweep::Kind::kUpright) {
-    const double at = in.middle + u, rise = UprightHeight{0.0, 1.0, s.arc_radius, s.side}.slope(at);
-    return {{qx - at * s.ux, qy - at * s.uy}, {s.ux, s.uy}, rise};
-  }
-  // The tool's direction from the axis is the column's, turned by twice the angle whose sine is u.
+  const double at = in.middle + u, rise = UprightHeight{0.0, 1.0, s.arc_radius, s.side}.slope(at);
+  return {{qx - at * s.ux, qy - at * s.uy}, {s.ux, s.uy}, rise};
+}
+/// The tool's direction from the axis is the column's, turned by twice the angle whose sine is u.
+Seen seen(const TurnSweep& s, double x, double y, const Interval&, double u) {
+  const double qx = x - s.x, qy = y - s.y;
   const double d = std::max(std::sqrt(qx * qx + qy * qy), 1e-12), r = s.arc_radius / d;
   const double c = 1.0 - 2.0 * u * u, w = 2.0 * u * root(1.0 - u * u) * s.turn;
   const double ax = r * (c * qx - w * qy), ay = r * (w * qx + c * qy);
   return {{qx - ax, qy - ay}, {-s.turn * ay, s.turn * ax}, s.slope};
 }
+
+/// See CurveSide.
+double placeOf(const TurnSweep&, const Interval& in, double u) {
+  return in.middle + (u == 0.0 ? 0.0 : 2.0 * std::asin(u));
+}
+double placeOf(const UprightSweep&, const Interval& in, double u) { return in.middle + u; }
+double placeOf(const WaySweep&, const Interval& in, double u) { return in.middle + u; }
 
 /// A place where the rim or another edge of the tool is over the column moves with the column, mm.
 constexpr double kAtEdgeMm = 1e-7;
@@ -445,16 +452,14 @@ std::optional<double> boundarySlope(const ColumnBoundary& boundary, double r) {
   return boundaryAt(piece, r).slope;
 }
 
-}  // namespace
-
-CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double dx, double dy) {
+template <typename Way>
+CurveSide sideOf(const Way& sweep, const double (&point)[3], double dx, double dy) {
   const double x = point[0], y = point[1], z = point[2];
   const Interval in = column(sweep, x, y, {.rim = true, .all = false, .z = z});
   const double low = in.lo - z, high = z - in.hi, value = std::max({low, high, in.beyond});
   const bool end = in.over && std::max(low, high) >= in.beyond, lower = low >= high;
   const double u = !end ? in.u : lower ? in.at_lo : in.at_hi;
-  CurveSide out{value, in.middle + u, 0.0};
-  if (sweep.kind == ColumnSweep::Kind::kTurn) out.place = in.middle + (u == 0.0 ? 0.0 : 2.0 * std::asin(u));
+  CurveSide out{value, placeOf(sweep, in, u), 0.0};
   if (!in.over) return out;
   const Seen at = seen(sweep, x, y, in, u);
   const double r = std::sqrt(at.off.x * at.off.x + at.off.y * at.off.y), across = at.off.along(dx, dy);
@@ -470,28 +475,57 @@ CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double d
   return out;
 }
 
-void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi) {
+template <typename Way>
+void endsOf(const Way& sweep, double x, double y, double* lo, double* hi) {
   const Interval in = column(sweep, x, y, {});
   *lo = in.over ? in.lo : kNothing;
   *hi = in.over ? in.hi : -kNothing;
 }
 
-void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high) {
-  if (sweep.kind == ColumnSweep::Kind::kWay) return wayReach(sweep, blocks, low, high);
+template <typename Way>
+void reachOf(const Way& sweep, const FourBlocks& blocks, double* low, double* high) {
   const ColumnSolid& tool = *sweep.solid;
   const double corner = std::sqrt(2.0) * blocks.half_width, reach = corner + tool.radius + kCullSlackMm;
   for (int i = 0; i < 4; ++i) {
     const Square square{blocks.x[i], blocks.y[i], corner};
-    const Over over = sweep.kind == ColumnSweep::Kind::kTurn ? turnOver(sweep, square, reach)
-                                                             : uprightOver(sweep, square, reach);
+    const Over at = over(sweep, square, reach);
     low[i] = kNothing;
     high[i] = -kNothing;
-    if (over.low > over.high) continue;
-    const double radial = std::clamp(over.gap - corner, 0.0, tool.radius);
-    const double lowest = over.low + tool.lower.height(radial) - kCullSlackMm;
-    const double highest = over.high - tool.upper.height(radial) + kCullSlackMm;
+    if (at.low > at.high) continue;
+    const double radial = std::clamp(at.gap - corner, 0.0, tool.radius);
+    const double lowest = at.low + tool.lower.height(radial) - kCullSlackMm;
+    const double highest = at.high - tool.upper.height(radial) + kCullSlackMm;
     if (lowest < blocks.z_high[i] && highest > blocks.z_low[i]) low[i] = lowest, high[i] = highest;
   }
+}
+
+}  // namespace
+
+void curveColumn(const TurnSweep& sweep, double x, double y, double* lo, double* hi) {
+  endsOf(sweep, x, y, lo, hi);
+}
+void curveColumn(const UprightSweep& sweep, double x, double y, double* lo, double* hi) {
+  endsOf(sweep, x, y, lo, hi);
+}
+void curveColumn(const WaySweep& sweep, double x, double y, double* lo, double* hi) {
+  endsOf(sweep, x, y, lo, hi);
+}
+
+CurveSide curveSide(const TurnSweep& sweep, const double (&point)[3], double dx, double dy) {
+  return sideOf(sweep, point, dx, dy);
+}
+CurveSide curveSide(const UprightSweep& sweep, const double (&point)[3], double dx, double dy) {
+  return sideOf(sweep, point, dx, dy);
+}
+CurveSide curveSide(const WaySweep& sweep, const double (&point)[3], double dx, double dy) {
+  return sideOf(sweep, point, dx, dy);
+}
+
+void curveReach(const TurnSweep& sweep, const FourBlocks& blocks, double* low, double* high) {
+  reachOf(sweep, blocks, low, high);
+}
+void curveReach(const UprightSweep& sweep, const FourBlocks& blocks, double* low, double* high) {
+  reachOf(sweep, blocks, low, high);
 }
 
 }  // namespace proveout

@@ -1,5 +1,5 @@
-// Columns and reach of the parts of curves (ColumnSweep::Kind::kTurn, kUpright and kWay), one column after
-// the other: the kernels of every SIMD level call the same code for what they have no closed form of. Plain
+// Columns and reach of the parts of curves (TurnSweep, UprightSweep and WaySweep), one column after the
+// other: the kernels of every SIMD level call the same code for what they have no closed form of. Plain
 // declarations only, see column_types.h.
 #pragma once
 
@@ -11,7 +11,10 @@ namespace proveout {
 inline constexpr double kLeastAcross = 1e-12;
 
 /// As ColumnKernel for one column; error below 1e-8 mm.
-void curveColumn(const ColumnSweep& sweep, double x, double y, double* lo, double* hi);
+void curveColumn(const TurnSweep& sweep, double x, double y, double* lo, double* hi);
+void curveColumn(const UprightSweep& sweep, double x, double y, double* lo, double* hi);
+void curveColumn(const WaySweep& sweep, double x, double y, double* lo, double* hi);
+
 /// A point as a part of a curve sees it.
 struct CurveSide {
   /// Above 0 outside, 0 on the surface, below 0 inside; changes steadily along level lines but where the way
@@ -23,8 +26,12 @@ struct CurveSide {
   double slope;  ///< of the value along the direction; 0 also where it is not known
 };
 /// (dx, dy): a level direction, unit.
-CurveSide curveSide(const ColumnSweep& sweep, const double (&point)[3], double dx, double dy);
+CurveSide curveSide(const TurnSweep& sweep, const double (&point)[3], double dx, double dy);
+CurveSide curveSide(const UprightSweep& sweep, const double (&point)[3], double dx, double dy);
+CurveSide curveSide(const WaySweep& sweep, const double (&point)[3], double dx, double dy);
 /// As ReachKernel.
-void curveReach(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+void curveReach(const TurnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+void curveReach(const UprightSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+void curveReach(const WaySweep& sweep, const FourBlocks& blocks, double* low, double* high);
 
 }  // namespace proveout

@@ -47,7 +47,7 @@ inline void cutTurnEnds(int n, const double* __restrict first, const double* __r
   }
 }
 
-inline void placeTurn(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+inline void placeTurn(const TurnSweep& s, const double* __restrict x, const double* __restrict y, int n,
                       TurnColumns& c) {
   const double cx = s.x, cy = s.y, ux = s.ux, uy = s.uy, turn = s.turn, arc = s.arc_radius;
   const double radius = s.solid->radius, cut = s.cut_rad, turn_rad = s.turn_rad, way = s.way_rad;
@@ -274,8 +274,8 @@ inline void addBoundary(const ColumnBoundary& boundary, int n, const double* __r
   for (int i = 0; i < n; ++i) out[i] += rise[i];
 }
 
-inline void turnColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                        int n, double* __restrict lo, double* __restrict hi) {
+inline void turnColumns(const TurnSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
+                        double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   TurnColumns c;
   placeTurn(sweep, x, y, n, c);
@@ -310,7 +310,7 @@ struct UprightColumns {
   double from[kArray], to[kArray], over[kArray];
 };
 
-inline void placeUpright(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
+inline void placeUpright(const UprightSweep& s, const double* __restrict x, const double* __restrict y, int n,
                          UprightColumns& c) {
   const double cx = s.x, cy = s.y, ux = s.ux, uy = s.uy, first = s.first_mm, last = s.last_mm;
   const double radius2 = s.solid->radius * s.solid->radius;
@@ -355,7 +355,7 @@ inline bool isDiscOrBall(const ColumnBoundary& boundary) {
          (piece.kind == ColumnBoundary::Kind::kArc && piece.rc == 0.0);
 }
 
-inline void uprightColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+inline void uprightColumns(const UprightSweep& sweep, const double* __restrict x, const double* __restrict y,
                            int n, double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   if (!isDiscOrBall(tool.lower) || !isDiscOrBall(tool.upper)) {

@@ -70,7 +70,7 @@ inline void decideOnTurn(double radius, const proveout::EdgeCuts& cuts, int n, c
 }
 
 /// Slopes along the edges, and places, from what decides the points.
-inline void leadOnTurn(const ColumnSweep& s, const proveout::EdgeCuts& cuts, int n, const TurnColumns& c,
+inline void leadOnTurn(const TurnSweep& s, const proveout::EdgeCuts& cuts, int n, const TurnColumns& c,
                        const TurnDecides& by, TurnPoints& p) {
   const double cx = s.x, cy = s.y, arc = s.arc_radius, turn = s.turn, rise = s.slope;
   double r[kArray], across[kArray], leaves[kArray];
@@ -98,7 +98,7 @@ inline void leadOnTurn(const ColumnSweep& s, const proveout::EdgeCuts& cuts, int
   }
 }
 
-inline void lookAtTurn(const ColumnSweep& s, const proveout::EdgeCuts& cuts, int n, TurnPoints& p) {
+inline void lookAtTurn(const TurnSweep& s, const proveout::EdgeCuts& cuts, int n, TurnPoints& p) {
   const proveout::ColumnSolid& tool = *s.solid;
   TurnColumns c;
   TurnSide side;
@@ -180,7 +180,7 @@ inline void startCuts(int n, const TurnPoints& p, CutSearch& c, proveout::EdgeCu
   }
 }
 
-void edgeCuts(const ColumnSweep& sweep, proveout::EdgeCuts& cuts) {
+void edgeCuts(const TurnSweep& sweep, proveout::EdgeCuts& cuts) {
   const int n = (cuts.count + 7) & ~7;
   for (int i = cuts.count; i < n; ++i) {
     cuts.x[i] = cuts.x[0], cuts.y[i] = cuts.y[0], cuts.z[i] = cuts.z[0];
@@ -188,7 +188,6 @@ void edgeCuts(const ColumnSweep& sweep, proveout::EdgeCuts& cuts) {
     cuts.end[i] = cuts.end[0];
   }
   for (int i = 0; i < n; ++i) cuts.found[i] = 0.0;
-  if (sweep.kind != ColumnSweep::Kind::kTurn) return;
   TurnPoints p;
   CutSearch c;
   for (int i = 0; i < n; ++i) {

@@ -8,9 +8,13 @@
 
 namespace {
 
+using proveout::ArcSweep;
 using proveout::ColumnBoundary;
-using proveout::ColumnSweep;
 using proveout::kQuarter;
+using proveout::LineSweep;
+using proveout::TurnSweep;
+using proveout::UprightSweep;
+using proveout::WaySweep;
 
 constexpr int kArray = proveout::kMaxColumns;
 constexpr double kNothing = __builtin_inf();
@@ -136,7 +140,7 @@ inline void leastOnLine(const ColumnBoundary& boundary, double slope, const doub
 }
 
 /// Level moves of cylinders: no root is needed.
-inline void levelFlatColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+inline void levelFlatColumns(const LineSweep& sweep, const double* __restrict x, const double* __restrict y,
                              int n, double* __restrict lo, double* __restrict hi) {
   const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy, length = sweep.length;
   const double radius2 = sweep.solid->radius * sweep.solid->radius;
@@ -154,7 +158,7 @@ inline void levelFlatColumns(const ColumnSweep& sweep, const double* __restrict 
 
 /// Cylinders and ball ends with a level top.
 template <bool kBall>
-inline void plainColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
+inline void plainColumns(const LineSweep& sweep, const double* __restrict x, const double* __restrict y,
                          int n, double* __restrict lo, double* __restrict hi) {
   const double fx = sweep.x, fy = sweep.y, fz = sweep.z, ux = sweep.ux, uy = sweep.uy;
   const double length = sweep.length, slope = sweep.slope, lean = sweep.lean;
@@ -178,8 +182,8 @@ inline void plainColumns(const ColumnSweep& sweep, const double* __restrict x, c
   }
 }
 
-inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                        int n, double* __restrict lo, double* __restrict hi) {
+inline void lineColumns(const LineSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
+                        double* __restrict lo, double* __restrict hi) {
   if (sweep.solid->flat && sweep.slope == 0.0) return levelFlatColumns(sweep, x, y, n, lo, hi);
   if (sweep.solid->flat) return plainColumns<false>(sweep, x, y, n, lo, hi);
   if (sweep.solid->ball && !sweep.solid->round_top) return plainColumns<true>(sweep, x, y, n, lo, hi);
@@ -222,8 +226,8 @@ inline void lineColumns(const ColumnSweep& sweep, const double* __restrict x, co
 }
 
 /// Level distance from the tool axis at its nearest position on a level arc.
-inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
-                        double* __restrict r) {
+inline void axisDistance(const ArcSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                         double* __restrict r) {
   const double cx = s.x, cy = s.y, inverse = 1.0 / s.arc_radius;
   const double ux = (s.start_x - cx) * inverse, uy = (s.start_y - cy) * inverse;
   const double vx = -uy * s.turn, vy = ux * s.turn;
@@ -242,10 +246,17 @@ inline void arcDistance(const ColumnSweep& s, const double* __restrict x, const 
   }
 }
 
-/// Level distance from the tool axis at its nearest position on a line.
-inline void levelDistance(const ColumnSweep& s, const double* __restrict x, const double* __restrict y, int n,
-                          double* __restrict r) {
+/// The same on a line.
+inline void axisDistance(const LineSweep& s, const double* __restrict x, const double* __restrict y, int n,
+                         double* __restrict r) {
   const double fx = s.x, fy = s.y, ux = s.ux, uy = s.uy, length = s.length;
+  if (length == 0.0) {
+    for (int i = 0; i < n; ++i) {
+      const double qx = x[i] - fx, qy = y[i] - fy;
+      r[i] = root(qx * qx + qy * qy);
+    }
+    return;
+  }
   for (int i = 0; i < n; ++i) {
     const double qx = x[i] - fx, qy = y[i] - fy;
     const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
@@ -254,27 +265,21 @@ inline void levelDistance(const ColumnSweep& s, const double* __restrict x, cons
   }
 }
 
+inline double riseOf(const LineSweep& sweep) { return sweep.rise; }
+inline double riseOf(const ArcSweep&) { return 0.0; }
+
 /// Sweeps that cover a column most where the tool's axis is nearest: level ones, and vertical ones.
-inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                          int n, double* __restrict lo, double* __restrict hi) {
+template <typename Way>
+inline void radialColumns(const Way& sweep, const double* __restrict x, const double* __restrict y, int n,
+                          double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   double r[kArray], inside[kArray];
-  if (sweep.kind == ColumnSweep::Kind::kArc) {
-    arcDistance(sweep, x, y, n, r);
-  } else if (sweep.kind == ColumnSweep::Kind::kLine) {
-    levelDistance(sweep, x, y, n, r);
-  } else {
-    const double fx = sweep.x, fy = sweep.y;
-    for (int i = 0; i < n; ++i) {
-      const double qx = x[i] - fx, qy = y[i] - fy;
-      r[i] = root(qx * qx + qy * qy);
-    }
-  }
+  axisDistance(sweep, x, y, n, r);
   const double radius = tool.radius;
   for (int i = 0; i < n; ++i) inside[i] = least(r[i], radius);
   boundaryHeight(tool.lower, inside, n, lo);
   boundaryHeight(tool.upper, inside, n, hi);
-  const double low = sweep.z + least(sweep.rise, 0.0), high = sweep.z + most(sweep.rise, 0.0);
+  const double low = sweep.z + least(riseOf(sweep), 0.0), high = sweep.z + most(riseOf(sweep), 0.0);
   for (int i = 0; i < n; ++i) {
     const bool over = r[i] < radius;
     lo[i] = over ? low + lo[i] : kNothing;
@@ -286,27 +291,27 @@ inline void radialColumns(const ColumnSweep& sweep, const double* __restrict x, 
 #include "removal/sweep/column_cut_body.h"
 #include "removal/sweep/column_way_body.h"
 
-inline void curveColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                         int n, double* __restrict lo, double* __restrict hi) {
-  if (sweep.kind == ColumnSweep::Kind::kTurn) {
-    turnColumns(sweep, x, y, n, lo, hi);
-  } else if (sweep.kind == ColumnSweep::Kind::kUpright) {
-    uprightColumns(sweep, x, y, n, lo, hi);
+inline int padded(int count) { return (count + 7) & ~7; }
+
+void columns(const LineSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  const bool level = sweep.rise == 0.0 && !sweep.solid->flat && !sweep.solid->ball;
+  if (sweep.length > 0.0 && !level) {
+    lineColumns(sweep, x, y, padded(count), lo, hi);
   } else {
-    wayColumns(sweep, x, y, n, lo, hi);
+    radialColumns(sweep, x, y, padded(count), lo, hi);
   }
 }
-
-void columns(const ColumnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
-  const int n = (count + 7) & ~7;
-  const bool level = sweep.rise == 0.0 && !sweep.solid->flat && !sweep.solid->ball;
-  if (sweep.kind == ColumnSweep::Kind::kLine && !level) {
-    lineColumns(sweep, x, y, n, lo, hi);
-  } else if (proveout::isCurve(sweep)) {
-    curveColumns(sweep, x, y, n, lo, hi);
-  } else {
-    radialColumns(sweep, x, y, n, lo, hi);
-  }
+void columns(const ArcSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  radialColumns(sweep, x, y, padded(count), lo, hi);
+}
+void columns(const TurnSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  turnColumns(sweep, x, y, padded(count), lo, hi);
+}
+void columns(const UprightSweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  uprightColumns(sweep, x, y, padded(count), lo, hi);
+}
+void columns(const WaySweep& sweep, const double* x, const double* y, int count, double* lo, double* hi) {
+  wayColumns(sweep, x, y, padded(count), lo, hi);
 }
 
 // Loops of fixed length are kept whole for the vectoriser.
@@ -365,7 +370,8 @@ double lowerTops(proveout::LeafColumns& leaf, int quarter) {
   return total;
 }
 
-void leafColumns(const ColumnSweep& sweep, proveout::LeafColumns& leaf, unsigned quarters) {
+template <typename Way>
+void leafColumns(const Way& sweep, proveout::LeafColumns& leaf, unsigned quarters) {
   for (int q = 0; q < 4; ++q) {
     const int from = q * kQuarter;
     while (q < 4 && (quarters >> q & 1) != 0) ++q;
@@ -379,12 +385,11 @@ constexpr double kHitSlack = 1e-7, kHitSlope = 100.0;
 
 /// A top is below lo just where it lies outside of the capsule that the ball's middle moves along the axis
 /// of, and below the middle: that takes no root. Most passes that come near a leaf take nothing from it.
-unsigned leafHits(const ColumnSweep& sweep, const proveout::LeafColumns& leaf, unsigned quarters) {
+unsigned leafHits(const LineSweep& sweep, const proveout::LeafColumns& leaf, unsigned quarters) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
   const double length = sweep.length, slope = sweep.slope, lift = sweep.z + tool.radius;
-  if (sweep.kind != ColumnSweep::Kind::kLine || !tool.ball || slope * slope > kHitSlope * kHitSlope)
-    return quarters;
+  if (sweep.length == 0.0 || !tool.ball || slope * slope > kHitSlope * kHitSlope) return quarters;
   const double bottom = leaf.z[0];
   const double toward = -slope / (1.0 + slope * slope), within = tool.radius * tool.radius + kHitSlack;
   unsigned hits = 0;
@@ -417,35 +422,45 @@ unsigned leafHits(const ColumnSweep& sweep, const proveout::LeafColumns& leaf, u
 
 /// Squared level distance of the tool's axis from the middles of the blocks, and the range of the tip's rise
 /// while it can be over them.
-inline void approach(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double reach,
+inline void approach(const LineSweep& sweep, const proveout::FourBlocks& blocks, double reach,
                      double* __restrict gap2, double* __restrict rise_low, double* __restrict rise_high) {
-  const double fx = sweep.x, fy = sweep.y;
-  if (sweep.kind == ColumnSweep::Kind::kLine) {
-    const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
+  const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
+  const double length = sweep.length, slope = sweep.slope, rise = sweep.rise;
+  if (length == 0.0) {
     for (int i = 0; i < 4; ++i) {
       const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
-      const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
-      const double over = along - least(most(along, 0.0), length);
-      gap2[i] = over * over + across * across;
-      const double first = slope * least(most(along - reach, 0.0), length),
-                   last = slope * least(most(along + reach, 0.0), length);
-      rise_low[i] = least(first, last);
-      rise_high[i] = most(first, last);
+      const double gap = root(qx * qx + qy * qy);
+      gap2[i] = gap * gap;
+      rise_low[i] = least(rise, 0.0);
+      rise_high[i] = most(rise, 0.0);
     }
     return;
   }
   for (int i = 0; i < 4; ++i) {
     const double qx = blocks.x[i] - fx, qy = blocks.y[i] - fy;
+    const double along = qx * ux + qy * uy, across = qx * uy - qy * ux;
+    const double over = along - least(most(along, 0.0), length);
+    gap2[i] = over * over + across * across;
+    const double first = slope * least(most(along - reach, 0.0), length),
+                 last = slope * least(most(along + reach, 0.0), length);
+    rise_low[i] = least(first, last);
+    rise_high[i] = most(first, last);
+  }
+}
+inline void approach(const ArcSweep& sweep, const proveout::FourBlocks& blocks, double,
+                     double* __restrict gap2, double* __restrict rise_low, double* __restrict rise_high) {
+  for (int i = 0; i < 4; ++i) {
+    const double qx = blocks.x[i] - sweep.x, qy = blocks.y[i] - sweep.y;
     const double gap = root(qx * qx + qy * qy) - sweep.arc_radius;
     gap2[i] = gap * gap;
-    rise_low[i] = least(sweep.rise, 0.0);
-    rise_high[i] = most(sweep.rise, 0.0);
+    rise_low[i] = rise_high[i] = 0.0;
   }
 }
 
-void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, double* __restrict low,
+/// Lines and level arcs; of curves see curveReach.
+template <typename Way>
+void reachFour(const Way& sweep, const proveout::FourBlocks& blocks, double* __restrict low,
                double* __restrict high) {
-  if (proveout::isCurve(sweep)) return proveout::curveReach(sweep, blocks, low, high);
   constexpr double kDiagonal = 1.4142135623730951, kSlack = proveout::kCullSlackMm;
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
@@ -471,6 +486,19 @@ void reachFour(const ColumnSweep& sweep, const proveout::FourBlocks& blocks, dou
     low[i] = in ? lowest : kNothing;
     high[i] = in ? highest : -kNothing;
   }
+}
+
+proveout::ColumnKernels kernels(const char* name) {
+  return {{columns, leafColumns<LineSweep>, reachFour<LineSweep>},
+          {columns, leafColumns<ArcSweep>, reachFour<ArcSweep>},
+          {columns, leafColumns<TurnSweep>, proveout::curveReach},
+          {columns, leafColumns<UprightSweep>, proveout::curveReach},
+          {columns, leafColumns<WaySweep>, proveout::curveReach},
+          lowerTops,
+          leafHits,
+          cover,
+          edgeCuts,
+          name};
 }
 
 }  // namespace

@@ -82,8 +82,8 @@ ColumnSolid columnSolid(const ConvexProfile& profile) {
   return solid;
 }
 
-ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& to) {
-  ColumnSweep s;
+LineSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& to) {
+  LineSweep s;
   s.solid = &solid;
   s.x = from.x();
   s.y = from.y();
@@ -96,7 +96,6 @@ ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& t
     s.length = 0.0;
     return s;
   }
-  s.kind = ColumnSweep::Kind::kLine;
   s.ux = (to.x() - from.x()) / s.length;
   s.uy = (to.y() - from.y()) / s.length;
   s.slope = s.rise / s.length;
@@ -104,9 +103,8 @@ ColumnSweep columnLine(const ColumnSolid& solid, const Vec3& from, const Vec3& t
   return s;
 }
 
-ColumnSweep columnArc(const ColumnSolid& solid, const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
-  ColumnSweep s;
-  s.kind = ColumnSweep::Kind::kArc;
+ArcSweep columnArc(const ColumnSolid& solid, const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
+  ArcSweep s;
   s.solid = &solid;
   s.x = arc.center.x();
   s.y = arc.center.y();
@@ -135,10 +133,9 @@ bool reachesBehind(double radius, double arc_radius, double way_rad) {
 
 }  // namespace
 
-std::vector<ColumnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                                     const ArcGeometry& arc) {
-  ColumnSweep s;
-  s.kind = ColumnSweep::Kind::kTurn;
+std::vector<TurnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                   const ArcGeometry& arc) {
+  TurnSweep s;
   s.solid = &solid;
   s.x = arc.center.x();
   s.y = arc.center.y();
@@ -155,7 +152,7 @@ std::vector<ColumnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from,
   s.cut_rad = std::min(0.5 * s.way_rad - kPi, 0.0);
   const bool behind = reachesBehind(solid.radius, s.arc_radius, s.way_rad);
   const int last = behind ? static_cast<int>(std::ceil((s.way_rad - s.cut_rad + kPi) / kTurn)) - 1 : 0;
-  std::vector<ColumnSweep> out_turns;
+  std::vector<TurnSweep> out_turns;
   for (int k = behind ? -1 : 0; k <= last; ++k) {
     s.turn_rad = k * kTurn;
     const double begin = s.cut_rad + s.turn_rad - kPi;
@@ -168,15 +165,14 @@ std::vector<ColumnSweep> columnTurns(const ColumnSolid& solid, const Vec3& from,
   return out_turns;
 }
 
-bool isWholeTurn(const ColumnSweep& turn) {
+bool isWholeTurn(const TurnSweep& turn) {
   const double begin = turn.cut_rad + turn.turn_rad - kPi;
   return begin >= 0.0 && begin + 4.0 * kPi <= turn.way_rad;
 }
 
-std::vector<ColumnSweep> columnUprights(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                                        const ArcGeometry& arc) {
-  ColumnSweep s;
-  s.kind = ColumnSweep::Kind::kUpright;
+std::vector<UprightSweep> columnUprights(const ColumnSolid& solid, const Vec3& from, const Vec3& to,
+                                         const ArcGeometry& arc) {
+  UprightSweep s;
   s.solid = &solid;
   s.x = arc.center.x();
   s.y = arc.center.y();
@@ -188,7 +184,7 @@ std::vector<ColumnSweep> columnUprights(const ColumnSolid& solid, const Vec3& fr
   s.arc_radius = 0.5 * (frame.radius_start + frame.radius_end);
   // Angles from the level direction upwards; the way turns back at whole multiples of pi.
   const double start = std::atan2(frame.u.z(), frame.u.dot(level)), end = start + arc.sweep_rad;
-  std::vector<ColumnSweep> out;
+  std::vector<UprightSweep> out;
   double a = std::min(start, end);
   for (const double last = std::max(start, end); a < last;) {
     const double half = std::floor(a / kPi + 1e-12), b = std::min(last, (half + 1.0) * kPi);
@@ -256,7 +252,7 @@ Status checkSimdWish() {
                                 known ? "which this machine does not have" : "which is no level", names));
 }
 
-const ColumnKernels& columnKernels() {
+const ColumnKernels& pickedKernels() {
   static const ColumnKernels picked = pickLevel();
   return picked;
 }

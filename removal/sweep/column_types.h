@@ -48,52 +48,72 @@ struct WayPart {
   double speed;  ///< level, mm a radian: nowhere more
 };
 
-/// A solid's motion along a line or level arc, or on a part of a curve that meets every column in one
-/// interval (column_curve.h): a turn of a helix about z, a part of an arc in an upright plane that does not
-/// turn back, or a part of any other curve.
-struct ColumnSweep {
-  enum class Kind : unsigned char { kVertical, kLine, kArc, kTurn, kUpright, kWay };
-  Kind kind = Kind::kVertical;
-  bool wide = false;  ///< arc: sweep above half a turn
-  bool full = false;  ///< arc: a whole turn or more
-  // Way: z is the height of the tip where it is lowest, rise up to where it is highest.
-  bool twice = false, again = false;  ///< columns may see the part twice; this is what they see second
-  int part = 0;                       ///< number of the part
-  const CurveWay* way = nullptr;
-  const WayPart* plain = nullptr;  ///< the same part of it
+// How a solid moves, as the kernels take it: one of these for each kind of way. mm, rad.
+
+/// On a line; of length 0 where it is upright.
+struct LineSweep {
   const ColumnSolid* solid = nullptr;
-  double x = 0.0, y = 0.0, z = 0.0;  ///< tip at the start, mm; arcs: centre, at the height of the tip
-  double rise = 0.0;                 ///< mm, from start to end
-  double ux = 1.0, uy = 0.0, length = 0.0, slope = 0.0;  ///< line: level direction, level length, rise a mm
+  double x = 0.0, y = 0.0, z = 0.0;                      ///< tip at the start
+  double rise = 0.0;                                     ///< from start to end
+  double ux = 1.0, uy = 0.0, length = 0.0, slope = 0.0;  ///< level direction, level length, rise a mm
   double lean = 0.0;                                     ///< -slope / sqrt(1 + slope^2)
-  // Arc; its frame turns with the motion, so that the sweep is positive.
+};
+
+/// On a level arc. Its frame turns with the motion, so that the sweep is positive.
+struct ArcSweep {
+  const ColumnSolid* solid = nullptr;
+  double x = 0.0, y = 0.0, z = 0.0;  ///< center, at the height of the tip
   double start_x = 0.0, start_y = 0.0, end_x = 0.0, end_y = 0.0, arc_radius = 0.0;
   double turn = 1.0;  ///< +1 counter-clockwise, -1 clockwise
   double cos_sweep = 1.0, sin_sweep = 0.0;
-  // Turn of a helix: x, y is its axis, slope the rise a radian, turn and arc_radius as of an arc, ux, uy the
-  // direction of the start from the axis. z is the height of the tip where the angle is least, rise up to
-  // where it is largest. Upright arc: x, y, start_z is its center, ux, uy the level direction in its plane.
-  double start_z = 0.0;                  ///< turn: height of the tip at the start of the whole way, mm
-  double way_rad = 0.0;                  ///< turn: angle of the whole way
-  double cut_rad = 0.0;                  ///< turn: angles of columns begin there
-  double turn_rad = 0.0;                 ///< turn: angle of the turns before it, from cut_rad
-  double first_mm = 0.0, last_mm = 0.0;  ///< upright: stretch of the way along (ux, uy) from the center
-  double side = 1.0;                     ///< upright: -1 on the lower half of the circle, +1 on the upper
+  bool wide = false;  ///< sweep above half a turn
+  bool full = false;  ///< a whole turn or more
 };
 
-/// Whether the sweep is a part of a curve other than a level arc.
-static inline bool isCurve(const ColumnSweep& sweep) {
-  return sweep.kind == ColumnSweep::Kind::kTurn || sweep.kind == ColumnSweep::Kind::kUpright ||
-         sweep.kind == ColumnSweep::Kind::kWay;
-}
+/// On a turn of a helix about z, which meets every column in one interval (column_curve.h).
+struct TurnSweep {
+  const ColumnSolid* solid = nullptr;
+  double x = 0.0, y = 0.0;     ///< axis
+  double z = 0.0, rise = 0.0;  ///< height of the tip where the angle is least, and up to where it is largest
+  double ux = 1.0, uy = 0.0;   ///< direction of the start from the axis
+  double slope = 0.0;          ///< rise a radian
+  double arc_radius = 0.0;
+  double turn = 1.0;      ///< +1 counter-clockwise, -1 clockwise
+  double start_z = 0.0;   ///< height of the tip at the start of the whole way
+  double way_rad = 0.0;   ///< angle of the whole way
+  double cut_rad = 0.0;   ///< angles of columns begin there
+  double turn_rad = 0.0;  ///< angle of the turns before it, from cut_rad
+};
+
+/// On a part of an arc in an upright plane that does not turn back: it meets every column in one interval.
+struct UprightSweep {
+  const ColumnSolid* solid = nullptr;
+  double x = 0.0, y = 0.0, start_z = 0.0;  ///< center
+  double z = 0.0, rise = 0.0;  ///< height of the tip where it is lowest, and up to where it is highest
+  double ux = 1.0, uy = 0.0;   ///< level direction in its plane
+  double arc_radius = 0.0;
+  double first_mm = 0.0, last_mm = 0.0;  ///< stretch of the way along (ux, uy) from the center
+  double side = 1.0;                     ///< -1 on the lower half of the circle, +1 on the upper
+};
+
+/// On a part of any other curve.
+struct WaySweep {
+  const ColumnSolid* solid = nullptr;
+  const CurveWay* way = nullptr;
+  const WayPart* plain = nullptr;     ///< the same part of it
+  int part = 0;                       ///< number of the part
+  bool twice = false, again = false;  ///< columns may see the part twice; this is what they see second
+  double z = 0.0, rise = 0.0;         ///< height of the tip where it is lowest, and up to where it is highest
+};
 
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.
 inline constexpr int kMaxColumns = 128;
 
 /// lo and hi of the open interval that is covered, mm; lo = +infinity, hi = -infinity where there is none.
 /// `count` <= kMaxColumns; reads and writes up to the next multiple of 8. Error below 1e-10 mm.
-using ColumnKernel = void (*)(const ColumnSweep& sweep, const double* x, const double* y, int count,
-                              double* lo, double* hi);
+template <typename Way>
+using ColumnKernel = void (*)(const Way& sweep, const double* x, const double* y, int count, double* lo,
+                              double* hi);
 
 /// The 64 columns of a leaf while it is cut, in quarters of 4x4: column x, y stands at leafColumn(x, y).
 inline constexpr int leafColumn(int x, int y) {
@@ -115,14 +135,15 @@ struct LeafColumns {
 
 /// Finds lo and hi of the columns of `quarters` (bits). Those beside each other go together: a quarter alone
 /// waits for every root.
-using LeafKernel = void (*)(const ColumnSweep& sweep, LeafColumns& leaf, unsigned quarters);
+template <typename Way>
+using LeafKernel = void (*)(const Way& sweep, LeafColumns& leaf, unsigned quarters);
 /// For one quarter: lowers the tops to lo where the pass covers them; returns the sum of what the tops sink
 /// by and of the covered material below tops that stay, in mm of column height.
 using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
-/// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends on lines the others have none,
-/// for sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their
-/// tops, wherever the sweep covers them.
-using HitKernel = unsigned (*)(const ColumnSweep& sweep, const LeafColumns& leaf, unsigned quarters);
+/// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends the others have none, for
+/// sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their tops,
+/// wherever the sweep covers them.
+using HitKernel = unsigned (*)(const LineSweep& sweep, const LeafColumns& leaf, unsigned quarters);
 /// For one quarter: finds `covered` from lo and hi.
 using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
 
@@ -137,7 +158,8 @@ inline constexpr double kCullSlackMm = 1e-6;
 
 /// For each block the heights below and above which the sweep does not reach inside its square, mm (bounds);
 /// low = +infinity, high = -infinity where it misses the block.
-using ReachKernel = void (*)(const ColumnSweep& sweep, const FourBlocks& blocks, double* low, double* high);
+template <typename Way>
+using ReachKernel = void (*)(const Way& sweep, const FourBlocks& blocks, double* low, double* high);
 
 /// Grid edges that a sweep cuts: where they enter its volume. Arrays as of a ColumnKernel.
 struct EdgeCuts {
@@ -150,17 +172,28 @@ struct EdgeCuts {
   double at[kMaxColumns];     ///< found: distance from the end, mm; of level edges only
   double place[kMaxColumns];  ///< found: see CurveSide
   double found[kMaxColumns];  ///< 1: at and place are known
+  double start[kMaxColumns];  ///< as EdgeCut::start; for who asks a body, no kernel knows it
 };
-/// Finds at and place of turns of helices, mostly; nothing of all else. Error below 1e-8 mm.
-using CutKernel = void (*)(const ColumnSweep& sweep, EdgeCuts& cuts);
+/// Finds at and place, mostly. Error below 1e-8 mm.
+using CutKernel = void (*)(const TurnSweep& sweep, EdgeCuts& cuts);
+
+/// What the kernels know of every kind of way.
+template <typename Way>
+struct WayKernels {
+  ColumnKernel<Way> columns;
+  LeafKernel<Way> leaf;
+  ReachKernel<Way> reach;
+};
 
 struct ColumnKernels {
-  ColumnKernel columns;
-  LeafKernel leaf;
+  WayKernels<LineSweep> line;
+  WayKernels<ArcSweep> arc;
+  WayKernels<TurnSweep> turn;
+  WayKernels<UprightSweep> upright;
+  WayKernels<WaySweep> way;
   LowerKernel lower;
   HitKernel hits;
   CoverKernel cover;
-  ReachKernel reach;
   CutKernel cuts;
   const char* name;
 };

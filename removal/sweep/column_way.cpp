@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "removal/sweep/column_curve.h"
+
 namespace proveout {
 
 namespace {
@@ -153,10 +155,9 @@ bool hasPlainEnds(const ColumnSolid& solid) {
                           : lower.count == 2 && level && arc && last.rc == last.ra;
 }
 
-std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& way) {
-  std::vector<ColumnSweep> out;
-  ColumnSweep s;
-  s.kind = ColumnSweep::Kind::kWay;
+std::vector<WaySweep> columnParts(const ColumnSolid& solid, const CurveWay& way) {
+  std::vector<WaySweep> out;
+  WaySweep s;
   s.solid = &solid;
   s.way = &way;
   const double sag = way.height4 * way.node_rad * way.node_rad / 8.0 + kSlackMm;
@@ -168,8 +169,6 @@ std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& w
       low = std::min(low, node[i].at.z());
       high = std::max(high, node[i].at.z());
     }
-    s.x = node->at.x();
-    s.y = node->at.y();
     s.z = low - sag;
     s.rise = high - low + 2.0 * sag;
     s.twice = !seenOnce(way, s.part, solid.radius);
@@ -181,7 +180,7 @@ std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& w
   return out;
 }
 
-void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low, double* high) {
+void curveReach(const WaySweep& part, const FourBlocks& blocks, double* low, double* high) {
   const CurveWay& way = *part.way;
   const ColumnSolid& tool = *part.solid;
   const CurveWay::Node* node = &way.nodes[static_cast<std::size_t>(part.part * CurveWay::kNodesAPart)];

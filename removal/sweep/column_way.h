@@ -3,7 +3,7 @@
 //
 // The way is C + R(t) (u cos t + v sin t) + climb t with R(t) = radius + growth t for angles t from 0 on; a
 // pass is a part of a sixteenth of a turn. A part may be over a column twice, where it bends more than the
-// tool's rim: what it covers then are two intervals, of two passes (ColumnSweep::again).
+// tool's rim: what it covers then are two intervals, of two passes (WaySweep::again).
 #pragma once
 
 #include <optional>
@@ -44,18 +44,16 @@ CurveWay curveWay(const Vec3& from, const Vec3& to, const ArcGeometry& arc);
 bool hasPlainEnds(const ColumnSolid& solid);
 
 /// Whether the kernels have vectors for all columns that see the part but for few.
-bool isPlainPart(const ColumnSweep& part);
+bool isPlainPart(const WaySweep& part);
 
 /// Passes of a solid along the way, in the order of the motion; both must outlive them.
-std::vector<ColumnSweep> columnParts(const ColumnSolid& solid, const CurveWay& way);
+std::vector<WaySweep> columnParts(const ColumnSolid& solid, const CurveWay& way);
 
 /// What a column sees of a part; Interval::u, at_lo, at_hi are angles of the way.
-Interval wayColumn(const ColumnSweep& part, double x, double y, const Asked& asked);
+Interval wayColumn(const WaySweep& part, double x, double y, const Asked& asked);
 /// The same where it has a short search: for one end of solids with plain ends; else nothing.
-std::optional<Interval> plainWayColumn(const ColumnSweep& part, double x, double y, const Asked& asked);
+std::optional<Interval> plainWayColumn(const WaySweep& part, double x, double y, const Asked& asked);
 /// Least level distance of the tool's axis from a column, mm.
-double wayGap(const ColumnSweep& part, double x, double y);
-/// As ReachKernel.
-void wayReach(const ColumnSweep& part, const FourBlocks& blocks, double* low, double* high);
+double wayGap(const WaySweep& part, double x, double y);
 
 }  // namespace proveout

@@ -206,8 +206,8 @@ inline bool isPlainEnd(const ColumnBoundary& boundary) {
          last->kind == ColumnBoundary::Kind::kArc && last->rc == last->ra;
 }
 
-inline void wayColumns(const ColumnSweep& sweep, const double* __restrict x, const double* __restrict y,
-                       int n, double* __restrict lo, double* __restrict hi) {
+inline void wayColumns(const WaySweep& sweep, const double* __restrict x, const double* __restrict y, int n,
+                       double* __restrict lo, double* __restrict hi) {
   const proveout::ColumnSolid& tool = *sweep.solid;
   if (sweep.twice || tool.round_top || !isPlainEnd(tool.lower)) {
     for (int i = 0; i < n; ++i) proveout::curveColumn(sweep, x[i], y[i], lo + i, hi + i);

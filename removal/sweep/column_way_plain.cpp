@@ -32,7 +32,7 @@ double wayRootOf(double low, double high, double guess, double still, const Look
 
 class PlainColumn {
  public:
-  PlainColumn(const ColumnSweep& part, double x, double y)
+  PlainColumn(const WaySweep& part, double x, double y)
       : w_(*part.plain),
         solid_(*part.solid),
         x_(x - w_.x),
@@ -131,13 +131,13 @@ bool isConvex(const WayPart& w, const ColumnSolid& solid) {
 
 }  // namespace
 
-bool isPlainPart(const ColumnSweep& part) {
+bool isPlainPart(const WaySweep& part) {
   const WayPart& w = *part.plain;
   return !part.twice && hasPlainEnds(*part.solid) && isConvex(w, *part.solid) &&
          w.curvature * (part.solid->radius + 2.0 * w.reach) < kSure;
 }
 
-std::optional<Interval> plainWayColumn(const ColumnSweep& part, double x, double y, const Asked& asked) {
+std::optional<Interval> plainWayColumn(const WaySweep& part, double x, double y, const Asked& asked) {
   const ColumnSolid& solid = *part.solid;
   const WayPart& w = *part.plain;
   if (part.twice || asked.all || !hasPlainEnds(solid) || !isConvex(w, solid)) return std::nullopt;

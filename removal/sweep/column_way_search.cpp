@@ -68,7 +68,7 @@ struct Slope {
 
 class WayColumn {
  public:
-  WayColumn(const ColumnSweep& part, double x, double y, bool rim)
+  WayColumn(const WaySweep& part, double x, double y, bool rim)
       : way_(*part.way), x_(x), y_(y), radius2_(part.solid->radius * part.solid->radius), rim_(rim) {
     const CurveWay::Node* node = &way_.nodes[static_cast<std::size_t>(part.part * CurveWay::kNodesAPart)];
     first_rad_ = part.part * CurveWay::kNodesAPart * way_.node_rad;
@@ -396,7 +396,7 @@ const Seen& nearestOf(WayColumn& column, int stretch) {
 
 }  // namespace
 
-Interval wayColumn(const ColumnSweep& part, double x, double y, const Asked& asked) {
+Interval wayColumn(const WaySweep& part, double x, double y, const Asked& asked) {
   if (const auto plain = plainWayColumn(part, x, y, asked)) return *plain;
   const ColumnSolid& solid = *part.solid;
   WayColumn column(part, x, y, asked.rim);
@@ -416,7 +416,7 @@ Interval wayColumn(const ColumnSweep& part, double x, double y, const Asked& ask
   return in;
 }
 
-double wayGap(const ColumnSweep& part, double x, double y) {
+double wayGap(const WaySweep& part, double x, double y) {
   return WayColumn(part, x, y, true).nearest().distance();
 }
 

@@ -327,7 +327,7 @@ double Sweep::distance(const Vec3& p, double cutoff) const {
   if (kind_ == Kind::kLine && profile_->ballCenter() > 0.0) {
     if (const double d = ballGap(p); d < kNotBall) return d;
   }
-  if (isHelix()) {
+  if (replacesChords()) {
     const double bound = helixBound(p);
     if (bound > cutoff) return bound;
   }

@@ -61,10 +61,10 @@ class Sweep {
   void column(double x, double y, double z0, double dz, int count, const double* cutoff, double* out) const;
 
   /// The way is a curve but not a level arc: its distance takes a search.
-  bool isCurve() const { return kind_ == Kind::kCurve; }
+  bool isSlow() const { return kind_ == Kind::kCurve; }
   /// The way is a helix about z (its radius changes by no more than rounding): then the distance is found
   /// about as fast as on a line.
-  bool isHelix() const { return kind_ == Kind::kCurve && round_turns_; }
+  bool replacesChords() const { return kind_ == Kind::kCurve && round_turns_; }
 
   /// Bounds of the swept volume, mm.
   Box3 bounds() const;

@@ -1,122 +1,99 @@
 #include "removal/sweep/swept_body.h"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
-#include "removal/sweep/column_curve.h"
-#include "removal/sweep/column_way.h"
+#include "removal/grid/edge_root.h"
 
 namespace proveout {
 
-namespace {
-
-/// Least radius of a wall, mm.
-constexpr double kLeastRadius = 1e-9;
-/// Rounding of bounds of a depth, mm.
-constexpr double kDepthSlackMm = 1e-10;
-/// A turn that rises by no more than this part of its way is as good as level.
-constexpr double kLevel = 1e-4;
-
-}  // namespace
-
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                     const Sweep* curve)
-    : columns_(columnLine(solid, from, to)), profile_(&profile), curve_(curve) {}
-
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSolid& solid, const Vec3& from, const Vec3& to,
-                     const ArcGeometry& arc, const Sweep& curve)
-    : columns_(columnArc(solid, from, to, arc)), profile_(&profile), curve_(&curve) {}
-
-SweptBody::SweptBody(const ConvexProfile& profile, const ColumnSweep& part, const Sweep& curve)
-    : columns_(part), profile_(&profile), curve_(&curve) {}
-
-Sweep SweptBody::sweep() const {
-  if (isLevelArc() || isCurvePart()) return *curve_;
-  const Vec3 from = sweepStart(columns_);
-  return Sweep(*profile_, from, from + sweepWay(columns_), nullptr);
+double searchCut(const SweptField& field, const Vec3& a, const Vec3& direction, double inside) {
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const auto f = [&](double s) { return field.distance(a + s * direction, kNever); };
+  const double at_a = f(0.0), at_inside = f(inside);
+  if (at_a <= 0.0) return 0.0;
+  if (at_inside >= 0.0) return inside;  // touched within rounding
+  return edgeRoot(f, 0.0, at_a, inside, at_inside, 1e-9);
 }
 
-/// The tool's axis at its nearest to the column, level: no nearer than this to any of its places, mm.
-double SweptBody::levelGap(double x, double y) const {
-  const ColumnSweep& c = columns_;
-  const double qx = x - c.x, qy = y - c.y;
-  if (isLevelArc() || c.kind == ColumnSweep::Kind::kTurn)
-    return std::abs(std::sqrt(qx * qx + qy * qy) - c.arc_radius);
-  const double along = qx * c.ux + qy * c.uy, across = qx * c.uy - qy * c.ux;
-  if (c.kind == ColumnSweep::Kind::kWay) return wayGap(c, x, y);
-  const bool upright = c.kind == ColumnSweep::Kind::kUpright;
-  const double beyond = along - std::clamp(along, upright ? c.first_mm : 0.0, upright ? c.last_mm : c.length);
-  return std::sqrt(across * across + beyond * beyond);
+void SweptBody::cutEdges(EdgeCuts& cuts) const {
+  std::visit([&](const auto& kind) { kind.cutEdges(of_, cuts); }, kind_);
 }
 
-double SweptBody::levelDepth(double x, double y) const {
-  const ColumnSolid& tool = solid();
-  const double gap = levelGap(x, y), in = std::min(gap, tool.radius);
-  // Half of what the solid has above the point's radius and below it.
-  const double half = -0.5 * (tool.upper.height(in) + tool.lower.height(in));
-  return std::min(tool.radius - gap, half) + kDepthSlackMm;
+double SweptBody::highestReach() const {
+  return std::visit([](const auto& kind) { return kind.highestReach(); }, kind_);
+}
+
+double SweptBody::coveredTop() const {
+  return std::visit([](const auto& kind) { return kind.coveredTop(); }, kind_);
+}
+
+double SweptBody::mostDepth(double x, double y) const {
+  return std::visit([&](const auto& kind) { return kind.mostDepth(x, y); }, kind_);
 }
 
 bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
-  if (columns_.twice) return false;
-  if (columns_.kind == ColumnSweep::Kind::kTurn) {
-    const double c = std::cos(columns_.cut_rad), s = columns_.turn * std::sin(columns_.cut_rad);
-    const Vec2 u(columns_.ux, columns_.uy), cut(c * u.x() - s * u.y(), s * u.x() + c * u.y());
-    const Vec2 q = middle - Vec2(columns_.x, columns_.y);
-    const Vec2 nearest = std::max(0.0, q.dot(cut)) * cut;
-    if ((q - nearest).squaredNorm() < reach * reach) return false;
-    if (columns_.way_rad <= kPi) return true;
-  } else if (!isLevelArc() || !(columns_.wide || columns_.full)) {
-    return true;
-  }
-  const double pillar = columns_.arc_radius - solid().radius;
-  return pillar <= 0.0 || pillar >= h;
+  return std::visit([&](const auto& kind) { return kind.holdsEdges(h, middle, reach); }, kind_);
 }
 
-std::optional<double> SweptBody::simpleBend(int element) const {
-  if (element >= ConvexProfile::kEdgeIds) return std::nullopt;
-  const int number = element - profile_->firstElementId();
-  if (number >= profile_->elementCount()) return std::nullopt;
-  const ConvexProfile::Element& e = profile_->element(number);
-  if (!isLine() && (e.arc || !isLevelArc())) return std::nullopt;
-  if (e.arc) return e.cr == 0.0 ? std::optional(1.0 / e.radius) : std::nullopt;
-  if (e.dz == 0.0) return 0.0;
-  if (e.dr != 0.0) return std::nullopt;
-  const double inner = isLine() ? e.ar : std::abs(columns_.arc_radius - e.ar);
-  return 1.0 / std::max(std::min(e.ar, inner), kLeastRadius);
-}
-
-Vec3 SweptBody::directionAt(const Vec3& p) const {
-  const ColumnSweep& c = columns_;
-  // A level arc whose end is off its circle by the rounding of a program's digits is a turn.
-  const bool turn = c.kind == ColumnSweep::Kind::kTurn && std::abs(c.slope) < kLevel * c.arc_radius;
-  if (turn || isLevelArc()) return c.turn * Vec3(c.y - p.y(), p.x() - c.x, 0.0).stableNormalized();
-  return isLine() && c.length > 0.0 ? Vec3(c.ux, c.uy, c.slope).normalized() : Vec3::Zero();
-}
-
-double SweptBody::startOf(double place) const {
-  const ColumnSweep& c = columns_;
-  if (c.kind == ColumnSweep::Kind::kWay) return std::clamp(place / c.way->way_rad, 0.0, 1.0);
-  if (c.kind == ColumnSweep::Kind::kTurn) return std::clamp(place / c.way_rad, 0.0, 1.0);
-  const double high = std::sqrt(std::max(0.0, (c.arc_radius - place) * (c.arc_radius + place)));
-  return curve_->parameterAt(Vec3(c.x + place * c.ux, c.y + place * c.uy, c.start_z + c.side * high));
-}
-
-/// Parameter of the whole curve at about which it leaves its surface at a point of this part.
-double SweptBody::startAt(const Vec3& p) const {
-  const ColumnSweep& c = columns_;
-  if (!isCurvePart()) return curve_->parameterAt(sweepStart(c) + 0.5 * sweepWay(c));
-  return startOf(curveSide(c, {p.x(), p.y(), p.z()}, 0.0, 0.0).place);
+EdgeCut SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
+  return std::visit([&](const auto& kind) { return kind.levelCut(of_, a, dx, dy, inside); }, kind_);
 }
 
 SweptSurface SweptBody::surface(const Vec3& p, int axis, bool below, double start) const {
   if (const auto closed = closedSurface(p, axis, below)) return *closed;
-  if (curve_ == nullptr) {
-    const SweepSample sample = sweep().sample(p);
-    return {sample.gradient, sample.element};
-  }
-  const SweepSample sample = curve_->sampleOnSurface(p, start >= 0.0 ? start : startAt(p));
-  return {sample.gradient, sample.element};
+  const auto seen = [](const SweepSample& sample) { return SweptSurface{sample.gradient, sample.element}; };
+  if (of_.whole == nullptr) return seen(field().sample(p));
+  if (start < 0.0) start = std::visit([&](const auto& kind) { return kind.startAt(of_, p); }, kind_);
+  return seen(of_.whole->sampleOnSurface(p, start));
+}
+
+std::optional<SweptSurface> SweptBody::closedSurface(const Vec3& p, int axis, bool below) const {
+  return std::visit([&](const auto& kind) { return kind.closedSurface(of_, p, axis, below); }, kind_);
+}
+
+std::optional<double> SweptBody::simpleBend(int element) const {
+  if (element >= ConvexProfile::kEdgeIds) return std::nullopt;
+  const int number = element - profile().firstElementId();
+  if (number >= profile().elementCount()) return std::nullopt;
+  const ConvexProfile::Element& e = profile().element(number);
+  return std::visit([&](const auto& kind) { return kind.simpleBend(e); }, kind_);
+}
+
+Vec3 SweptBody::directionAt(const Vec3& p) const {
+  return std::visit([&](const auto& kind) { return kind.directionAt(p); }, kind_);
+}
+
+SweptField SweptBody::field() const {
+  return std::visit([&](const auto& kind) { return kind.field(of_); }, kind_);
+}
+
+double SweptBody::distance(const Vec3& p, double cutoff) const {
+  return of_.whole != nullptr ? of_.whole->distance(p, cutoff) : field().distance(p, cutoff);
+}
+
+bool SweptBody::holds(const Vec3& a, const Vec3& b) const {
+  return of_.whole != nullptr ? of_.whole->holds(a, b) : field().holds(a, b);
+}
+
+double SweptBody::wholeCut(const Vec3& a, const Vec3& direction, double inside) const {
+  if (of_.whole != nullptr) return searchCut(*of_.whole, a, direction, inside);
+  return searchCut(field(), a, direction, inside);
+}
+
+bool SweptBody::isAskedWhole() const {
+  return std::visit([&](const auto& kind) { return kind.isAskedWhole(of_); }, kind_);
+}
+
+const ColumnSolid* SweptBody::uprightSolid() const {
+  return std::visit([](const auto& kind) { return kind.uprightSolid(); }, kind_);
+}
+
+std::optional<double> SweptBody::ownLength() const {
+  return std::visit([](const auto& kind) { return kind.ownLength(); }, kind_);
+}
+
+ToolPlace SweptBody::placeAt(double t) const {
+  return std::visit([&](const auto& kind) { return kind.placeAt(t); }, kind_);
 }
 
 }  // namespace proveout

@@ -54,8 +54,9 @@ std::vector<ConvexProfile> profiles() {
   return out;
 }
 
+template <typename Way>
 struct Case {
-  ColumnSweep columns;
+  Way columns;
   Sweep exact;
 };
 
@@ -63,12 +64,12 @@ class Columns : public ::testing::Test {
  protected:
   double random(double low, double high) { return moves_.number(low, high); }
 
-  Case lineCase(const ConvexProfile& profile, const ColumnSolid& solid, int style) {
+  Case<LineSweep> lineCase(const ConvexProfile& profile, const ColumnSolid& solid, int style) {
     const auto [from, to] = moves_.line(style);
     return {columnLine(solid, from, to), Sweep(profile, from, to, nullptr)};
   }
 
-  Case arcCase(const ConvexProfile& profile, const ColumnSolid& solid) {
+  Case<ArcSweep> arcCase(const ConvexProfile& profile, const ColumnSolid& solid) {
     ArcGeometry arc;
     arc.center = moves_.point();
     arc.normal = random(0, 1) < 0.5 ? Vec3::UnitZ() : Vec3(-Vec3::UnitZ());
@@ -80,9 +81,10 @@ class Columns : public ::testing::Test {
     return {columnArc(solid, from, to, arc), Sweep(profile, from, to, &arc)};
   }
 
-  void check(const Case& c) {
+  template <typename Way>
+  void check(const Case<Way>& c) {
     for (int i = 0; i < 64; ++i) x_[i] = random(-14, 14), y_[i] = random(-14, 14);
-    columnKernels().columns(c.columns, x_, y_, 64, lo_, hi_);
+    kernelsOf(c.columns).columns(c.columns, x_, y_, 64, lo_, hi_);
     for (int i = 0; i < 64; ++i) {
       const auto at = [&](double z) { return c.exact.distance({x_[i], y_[i], z}, 1e300); };
       if (lo_[i] >= hi_[i]) {
@@ -178,14 +180,15 @@ class CurveColumns : public Columns {
   }
 
   /// The intervals of all parts of the curve are what it covers, and the reach of each holds its own.
-  void check(const ConvexProfile& profile, const Curve& c, const std::vector<ColumnSweep>& parts) {
+  template <typename Way>
+  void check(const ConvexProfile& profile, const Curve& c, const std::vector<Way>& parts) {
     const Sweep exact(profile, c.from, c.to, &c.arc);
     for (int i = 0; i < 64; ++i) {
       x_[i] = c.from.x() + random(-14, 14), y_[i] = c.from.y() + random(-14, 14);
       low_[i].clear(), high_[i].clear();
     }
-    for (const ColumnSweep& part : parts) {
-      columnKernels().columns(part, x_, y_, 64, lo_, hi_);
+    for (const Way& part : parts) {
+      kernelsOf(part).columns(part, x_, y_, 64, lo_, hi_);
       for (int i = 0; i < 64; ++i) {
         if (lo_[i] >= hi_[i]) continue;
         ++intervals_;
@@ -197,7 +200,8 @@ class CurveColumns : public Columns {
   }
 
  private:
-  void checkReach(const ColumnSweep& part, int i) {
+  template <typename Way>
+  void checkReach(const Way& part, int i) {
     FourBlocks blocks{};
     blocks.half_width = random(0.1, 3.0);
     double low[4], high[4];
@@ -206,7 +210,7 @@ class CurveColumns : public Columns {
       blocks.y[k] = y_[i] + random(-1, 1) * blocks.half_width;
       blocks.z_low[k] = random(-30, 30), blocks.z_high[k] = blocks.z_low[k] + 5.0;
     }
-    columnKernels().reach(part, blocks, low, high);
+    kernelsOf(part).reach(part, blocks, low, high);
     for (int k = 0; k < 4; ++k) {
       if (lo_[i] < blocks.z_high[k] && hi_[i] > blocks.z_low[k]) {
         EXPECT_LE(low[k], lo_[i]);
@@ -285,8 +289,8 @@ TEST_F(CurveColumns, PartsOfAnyCurveMatchADenseSearch) {
       for (int k = 0; k < 8; ++k) x_[k] = c.from.x() + random(-8, 8), y_[k] = c.from.y() + random(-8, 8);
       double least[8], most[8];
       std::fill_n(least, 8, 1e300), std::fill_n(most, 8, -1e300);
-      for (const ColumnSweep& part : columnParts(solid, way)) {
-        columnKernels().columns(part, x_, y_, 8, lo_, hi_);
+      for (const WaySweep& part : columnParts(solid, way)) {
+        kernelsOf(part).columns(part, x_, y_, 8, lo_, hi_);
         for (int n = 0; n < 8; ++n)
           least[n] = std::min(least[n], lo_[n]), most[n] = std::max(most[n], hi_[n]);
       }
@@ -321,9 +325,39 @@ std::vector<ColumnKernels> levels() {
   return out;
 }
 
-TEST_F(CurveColumns, EveryLevelGivesTheSameBits) {
+/// As kernelsOf, of one level.
+const WayKernels<LineSweep>& kernelsAt(const ColumnKernels& level, const LineSweep&) { return level.line; }
+const WayKernels<ArcSweep>& kernelsAt(const ColumnKernels& level, const ArcSweep&) { return level.arc; }
+const WayKernels<TurnSweep>& kernelsAt(const ColumnKernels& level, const TurnSweep&) { return level.turn; }
+const WayKernels<UprightSweep>& kernelsAt(const ColumnKernels& level, const UprightSweep&) {
+  return level.upright;
+}
+const WayKernels<WaySweep>& kernelsAt(const ColumnKernels& level, const WaySweep&) { return level.way; }
+
+std::uint64_t bitsOf(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+class LevelsOfCurves : public CurveColumns {
+ protected:
+  template <typename Way>
+  void compare(const std::vector<Way>& parts) {
+    for (const Way& part : parts) {
+      kernelsAt(levels()[0], part).columns(part, x_, y_, 64, lo_, hi_);
+      for (int i = 0; i < 64; ++i) over_ += lo_[i] < hi_[i] ? 1 : 0;
+      for (const ColumnKernels& level : levels()) {
+        double lo[64], hi[64];
+        kernelsAt(level, part).columns(part, x_, y_, 64, lo, hi);
+        for (int i = 0; i < 64; ++i) {
+          ASSERT_EQ(bitsOf(lo[i]), bitsOf(lo_[i])) << level.name;
+          ASSERT_EQ(bitsOf(hi[i]), bitsOf(hi_[i])) << level.name;
+        }
+      }
+    }
+  }
+  int over_ = 0;
+};
+
+TEST_F(LevelsOfCurves, EveryLevelGivesTheSameBits) {
   if (levels().size() == 1) GTEST_SKIP() << "this machine has the baseline level only";
-  int over = 0;
   for (const ConvexProfile& profile : profiles()) {
     const ColumnSolid solid = columnSolid(profile);
     for (int round = 0; round < 40; ++round) {
@@ -331,66 +365,68 @@ TEST_F(CurveColumns, EveryLevelGivesTheSameBits) {
       const Curve c = kind == 3 ? any(round) : kind == 2 ? upright() : helix(round);
       for (int i = 0; i < 64; ++i) x_[i] = c.from.x() + random(-14, 14), y_[i] = c.from.y() + random(-14, 14);
       const CurveWay way = curveWay(c.from, c.to, c.arc);
-      for (const ColumnSweep& part : kind == 3   ? columnParts(solid, way)
-                                     : kind == 2 ? columnUprights(solid, c.from, c.to, c.arc)
-                                                 : columnTurns(solid, c.from, c.to, c.arc)) {
-        levels()[0].columns(part, x_, y_, 64, lo_, hi_);
-        for (int i = 0; i < 64; ++i) over += lo_[i] < hi_[i] ? 1 : 0;
-        for (const ColumnKernels& level : levels()) {
-          double lo[64], hi[64];
-          level.columns(part, x_, y_, 64, lo, hi);
-          for (int i = 0; i < 64; ++i) {
-            ASSERT_EQ(std::bit_cast<std::uint64_t>(lo[i]), std::bit_cast<std::uint64_t>(lo_[i]))
-                << level.name;
-            ASSERT_EQ(std::bit_cast<std::uint64_t>(hi[i]), std::bit_cast<std::uint64_t>(hi_[i]))
-                << level.name;
-          }
-        }
+      if (kind == 3) {
+        ASSERT_NO_FATAL_FAILURE(compare(columnParts(solid, way)));
+      } else if (kind == 2) {
+        ASSERT_NO_FATAL_FAILURE(compare(columnUprights(solid, c.from, c.to, c.arc)));
+      } else {
+        ASSERT_NO_FATAL_FAILURE(compare(columnTurns(solid, c.from, c.to, c.arc)));
       }
     }
   }
-  EXPECT_GT(over, 5000);
+  EXPECT_GT(over_, 5000);
 }
 
-TEST_F(Columns, EveryLevelGivesTheSameBits) {
+class LevelsOfLeaves : public Columns {
+ protected:
+  template <typename Way>
+  void compare(const Way& way, unsigned together) {
+    LeafColumns start{};
+    for (int i = 0; i < 64; ++i) {
+      start.x[i] = random(-6, 6), start.y[i] = random(-6, 6);
+      start.material[i] = 255, start.top[i] = 8.0;
+    }
+    for (int z = 0; z < 8; ++z) start.z[z] = z;
+    start.h = 1.0;
+    start.layers = 8;
+    LeafColumns first = start;
+    const double sunk = sink(levels()[0], way, first, 0);
+    for (const ColumnKernels& level : levels()) {
+      LeafColumns other = start;
+      EXPECT_EQ(bitsOf(sink(level, way, other, together)), bitsOf(sunk));
+      for (int i = 0; i < 64; ++i) {
+        ASSERT_EQ(bitsOf(other.lo[i]), bitsOf(first.lo[i])) << level.name;
+        ASSERT_EQ(bitsOf(other.hi[i]), bitsOf(first.hi[i])) << level.name;
+        ASSERT_EQ(other.covered[i], first.covered[i]) << level.name;
+      }
+    }
+  }
+
+ private:
+  /// Quarters that go together have the same bits as each alone.
+  template <typename Way>
+  double sink(const ColumnKernels& level, const Way& way, LeafColumns& leaf, unsigned together) {
+    double sum = 0.0;
+    kernelsAt(level, way).leaf(way, leaf, together);
+    for (int q = 0; q < 4; ++q) {
+      if ((together >> q & 1) == 0) kernelsAt(level, way).leaf(way, leaf, 1u << q);
+      sum += level.lower(leaf, q);
+      level.cover(leaf, q);
+    }
+    return sum;
+  }
+};
+
+TEST_F(LevelsOfLeaves, EveryLevelGivesTheSameBits) {
   if (levels().size() == 1) GTEST_SKIP() << "this machine has the baseline level only";
   for (const ConvexProfile& profile : profiles()) {
     const ColumnSolid solid = columnSolid(profile);
     for (int round = 0; round < 40; ++round) {
-      const Case c = round % 4 == 3 ? arcCase(profile, solid) : lineCase(profile, solid, round % 8);
-      LeafColumns start{};
-      for (int i = 0; i < 64; ++i) {
-        start.x[i] = random(-6, 6), start.y[i] = random(-6, 6);
-        start.material[i] = 255, start.top[i] = 8.0;
-      }
-      for (int z = 0; z < 8; ++z) start.z[z] = z;
-      start.h = 1.0;
-      start.layers = 8;
-      LeafColumns first = start;
-      // Quarters that go together have the same bits as each alone.
-      const auto all = [&](const ColumnKernels& level, LeafColumns& leaf, unsigned together) {
-        double sum = 0.0;
-        level.leaf(c.columns, leaf, together);
-        for (int q = 0; q < 4; ++q) {
-          if ((together >> q & 1) == 0) level.leaf(c.columns, leaf, 1u << q);
-          sum += level.lower(leaf, q);
-          level.cover(leaf, q);
-        }
-        return sum;
-      };
-      const double sunk = all(levels()[0], first, 0);
-      for (const ColumnKernels& level : levels()) {
-        LeafColumns other = start;
-        const unsigned together = static_cast<unsigned>(round) % 16;
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(all(level, other, together)),
-                  std::bit_cast<std::uint64_t>(sunk));
-        for (int i = 0; i < 64; ++i) {
-          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.lo[i]), std::bit_cast<std::uint64_t>(first.lo[i]))
-              << level.name;
-          ASSERT_EQ(std::bit_cast<std::uint64_t>(other.hi[i]), std::bit_cast<std::uint64_t>(first.hi[i]))
-              << level.name;
-          ASSERT_EQ(other.covered[i], first.covered[i]) << level.name;
-        }
+      const unsigned together = static_cast<unsigned>(round) % 16;
+      if (round % 4 == 3) {
+        ASSERT_NO_FATAL_FAILURE(compare(arcCase(profile, solid).columns, together));
+      } else {
+        ASSERT_NO_FATAL_FAILURE(compare(lineCase(profile, solid, round % 8).columns, together));
       }
     }
   }
@@ -405,7 +441,7 @@ TEST_F(Columns, HitsLeaveOutOnlyWhatTakesNothing) {
     const ConvexProfile profile = makeToolSolid(tool).cutter.front();
     const ColumnSolid solid = columnSolid(profile);
     for (int round = 0; round < 4000; ++round) {
-      const Case c = round % 8 == 3 ? arcCase(profile, solid) : lineCase(profile, solid, round % 8);
+      const LineSweep line = lineCase(profile, solid, round % 8).columns;
       LeafColumns leaf{};
       const double left = random(-8, 8), front = random(-8, 8), top = random(-4, 6);
       for (int i = 0; i < 64; ++i) {
@@ -416,11 +452,10 @@ TEST_F(Columns, HitsLeaveOutOnlyWhatTakesNothing) {
       leaf.z[0] = top - 0.4;  // some columns are empty
       for (int i = 0; i < 64; ++i) leaf.top[i] = std::max(leaf.top[i], leaf.z[0]);
       leaf.h = 0.1;
-      const bool counts = solid.ball && c.columns.kind == ColumnSweep::Kind::kLine;
-      const unsigned hits = levels()[0].hits(c.columns, leaf, 15);
-      for (const ColumnKernels& level : levels())
-        ASSERT_EQ(level.hits(c.columns, leaf, 15), hits) << level.name;
-      columnKernels().leaf(c.columns, leaf, 15);
+      const bool counts = solid.ball && line.length > 0.0;
+      const unsigned hits = levels()[0].hits(line, leaf, 15);
+      for (const ColumnKernels& level : levels()) ASSERT_EQ(level.hits(line, leaf, 15), hits) << level.name;
+      columnKernels().line.leaf(line, leaf, 15);
       for (int q = 0; q < 4; ++q) {
         const bool sinks = columnKernels().lower(leaf, q) > 0.0;
         ASSERT_TRUE(!sinks || (hits >> q & 1) != 0) << text << ' ' << round;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -35,10 +36,14 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
 
   double random(double low, double high) { return moves_.number(low, high); }
 
-  SweptBody body(int style) {
+  struct Line {
+    Vec3 from, to;
+    SweptBody body;
+  };
+  Line line(int style) {
     auto [from, to] = moves_.line(style);
     if (style == 4) to.z() = from.z() + 1e-5 * (to.z() - from.z());  // nearly level
-    return SweptBody(profile_, solid_, from, to);
+    return {from, to, SweptBody(profile_, LineBody(columnLine(solid_, from, to)))};
   }
 
   void check(const SweptBody& body, const Vec3& p, int axis, bool below) {
@@ -48,9 +53,9 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
       return;
     }
     ++known_;
-    const Sweep exact = body.sweep();
+    const SweptField exact = body.field();
     EXPECT_NEAR(surface->normal.norm(), 1.0, 1e-12);
-    double anywhere = Sweep::kAnywhere;
+    double anywhere = SweptField::kAnywhere;
     const SweepSample seen = exact.sampleOutside(p + kStepMm * surface->normal, 1e-10, anywhere);
     EXPECT_NEAR(seen.value, kStepMm, kWithinMm) << "axis " << axis;
     // An end of one element is one of the next, too.
@@ -63,11 +68,11 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
   }
 
   /// Where the vertical through a random point enters and leaves the sweep; false if it misses.
-  bool column(const SweptBody& body, Vec3& low, Vec3& high) {
+  bool column(const Line& line, Vec3& low, Vec3& high) {
     std::array<double, 8> x{}, y{}, lo{}, hi{};
-    const Vec3 end = sweepStart(body.columns()) + random(0, 1) * sweepWay(body.columns());
+    const Vec3 end = line.from + random(0, 1) * (line.to - line.from);
     x[0] = end.x() + random(-3, 3), y[0] = end.y() + random(-3, 3);
-    columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+    line.body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
     low = {x[0], y[0], lo[0]};
     high = {x[0], y[0], hi[0]};
     return lo[0] < hi[0];
@@ -81,9 +86,10 @@ class SweptBodySurfaces : public ::testing::TestWithParam<const char*> {
 
 TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
   for (int i = 0; i < 20000; ++i) {
-    const SweptBody one = body(i % 8);
+    const Line made = line(i % 8);
+    const SweptBody& one = made.body;
     Vec3 low, high;
-    if (!column(one, low, high)) continue;
+    if (!column(made, low, high)) continue;
     check(one, low, 2, true);
     if (!solid_.ball) check(one, high, 2, false);
     // A level ray from far away to a point on the vertical.
@@ -92,7 +98,7 @@ TEST_P(SweptBodySurfaces, NormalsAreThoseOfTheSweep) {
     const double side = i / 16 % 2 == 0 ? 1.0 : -1.0, far = 40.0;
     Vec3 from = inside;
     from[axis] -= side * far;
-    const double cut = one.levelCut(from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far);
+    const double cut = one.levelCut(from, axis == 0 ? side : 0.0, axis == 1 ? side : 0.0, far).at;
     from[axis] += side * cut;
     check(one, from, axis, false);
     if (HasFailure()) FAIL() << "case " << i;
@@ -135,13 +141,11 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     int number;
     const Curve& curve;
     const ConvexProfile& profile;
-    const Sweep& exact;
-    const ColumnSweep& columns;
+    const SweptField& exact;
+    std::function<CurveSide(const Vec3& p, const Vec3& on)> look;  ///< see curveSide
     SweptBody body;
 
-    double side(const Vec3& p, const Vec3& on) const {
-      return curveSide(columns, {p.x(), p.y(), p.z()}, on.x(), on.y()).value;
-    }
+    double side(const Vec3& p, const Vec3& on) const { return look(p, on).value; }
     /// The level edge from `from` begins to be in the part after `at`.
     bool beginsAt(const Vec3& from, const Vec3& on, double at) const {
       return side(from + (at - 2e-8) * on, on) >= -1e-9 && side(from + (at + 2e-8) * on, on) <= 1e-9;
@@ -163,17 +167,27 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
         const int kind = ways == Ways::kTurns ? 0 : i % 3;
         Curve c = curve(kind != 1);
         if (kind == 2) c.to += random(0.01, 0.5) * (c.to - c.arc.center).cwiseProduct(Vec3(1, 1, 0));
-        const Sweep exact(profile, c.from, c.to, &c.arc);
+        const SweptField exact(profile, c.from, c.to, &c.arc);
         const CurveWay way = curveWay(c.from, c.to, c.arc);
-        const std::vector<ColumnSweep> parts = kind == 0   ? columnTurns(solid, c.from, c.to, c.arc)
-                                               : kind == 1 ? columnUprights(solid, c.from, c.to, c.arc)
-                                                           : columnParts(solid, way);
-        for (const ColumnSweep& part : parts) {
-          body(Part{i, c, profile, exact, part, SweptBody(profile, part, exact)});
-          ASSERT_FALSE(HasFailure()) << "case " << i;
-        }
+        const auto each = [&](const auto& parts) {
+          for (const auto& part : parts) {
+            const auto look = [&](const Vec3& p, const Vec3& on) {
+              return curveSide(part.way, {p.x(), p.y(), p.z()}, on.x(), on.y());
+            };
+            body(Part{i, c, profile, exact, look, SweptBody(profile, part, &exact)});
+            ASSERT_FALSE(HasFailure()) << "case " << i;
+          }
+        };
+        if (kind == 0) each(bodiesOf<TurnBody>(columnTurns(solid, c.from, c.to, c.arc)));
+        if (kind == 1) each(bodiesOf<UprightBody>(columnUprights(solid, c.from, c.to, c.arc)));
+        if (kind == 2) each(bodiesOf<WayBody>(columnParts(solid, way)));
+        ASSERT_FALSE(HasFailure());
       }
     }
+  }
+  template <typename Kind, typename Way>
+  static std::vector<Kind> bodiesOf(const std::vector<Way>& ways) {
+    return {ways.begin(), ways.end()};
   }
   static std::vector<ConvexProfile> profiles() {
     if (std::string(GetParam()) == "thread mill") return threadMill();
@@ -193,16 +207,16 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
     std::array<double, 8> x{}, y{}, lo{}, hi{};
   };
   /// Of random columns around the curve's start, where the part begins and ends.
-  Columns columnsNear(const ColumnSweep& part, const Curve& c) {
+  Columns columnsNear(const Part& part) {
     Columns at;
     for (std::size_t k = 0; k < 8; ++k)
-      at.x[k] = c.from.x() + random(-9, 9), at.y[k] = c.from.y() + random(-9, 9);
-    columnKernels().columns(part, at.x.data(), at.y.data(), 8, at.lo.data(), at.hi.data());
+      at.x[k] = part.curve.from.x() + random(-9, 9), at.y[k] = part.curve.from.y() + random(-9, 9);
+    part.body.columns(at.x.data(), at.y.data(), 8, at.lo.data(), at.hi.data());
     return at;
   }
   /// False where none of eight columns meets the part.
-  bool pointInside(const ColumnSweep& part, const Curve& c, Vec3& inside) {
-    const auto [x, y, lo, hi] = columnsNear(part, c);
+  bool pointInside(const Part& part, Vec3& inside) {
+    const auto [x, y, lo, hi] = columnsNear(part);
     for (std::size_t k = 0; k < 8; ++k) {
       if (lo[k] >= hi[k]) continue;
       inside = {x[k], y[k], lo[k] + random(0.02, 0.98) * (hi[k] - lo[k])};
@@ -212,25 +226,25 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
   }
 
   /// Level edges, every fourth a vertical one that ends where it is cut, as far as they start outside.
-  void addEdge(const ColumnSweep& part, const Curve& c, int number, EdgeCuts& cuts) {
+  void addEdge(const Part& part, int number, EdgeCuts& cuts) {
     Vec3 inside;
-    if (!pointInside(part, c, inside)) return;
+    if (!pointInside(part, inside)) return;
     const int k = cuts.count;
     const bool level = number % 4 != 0;
     const double a = random(0.0, 6.28), far = number % 2 == 0 ? random(0.1, 3.0) : 0.1;
     const Vec3 on = level ? Vec3(std::cos(a), std::sin(a), 0.0) : Vec3::Zero(), from = inside - far * on;
-    if (level && curveSide(part, {from.x(), from.y(), from.z()}, on.x(), on.y()).value <= 0.0) return;
-    double lo, hi;
-    curveColumn(part, inside.x(), inside.y(), &lo, &hi);
+    if (level && part.side(from, on) <= 0.0) return;
+    std::array<double, 8> x{inside.x()}, y{inside.y()}, lo{}, hi{};
+    part.body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
     cuts.x[k] = from.x(), cuts.y[k] = from.y();
-    cuts.z[k] = level ? from.z() : number % 8 == 0 ? lo : hi;
+    cuts.z[k] = level ? from.z() : number % 8 == 0 ? lo[0] : hi[0];
     cuts.dx[k] = on.x(), cuts.dy[k] = on.y();
     cuts.inside[k] = level ? far : 0.0;
     cuts.end[k] = level ? 0.0 : number % 8 == 0 ? 1.0 : -1.0;
     ++cuts.count;
   }
 
-  void check(const SweptBody& body, const Sweep& exact, const Vec3& p, bool below) {
+  void check(const SweptBody& body, const SweptField& exact, const Vec3& p, bool below) {
     const double there = exact.distance(p, 1e300);
     ASSERT_LT(there, 1e-7);
     if (there < -1e-6) return;  // covered by another part
@@ -248,7 +262,7 @@ class CurveSurfaces : public ::testing::TestWithParam<const char*> {
 
 TEST_P(CurveSurfaces, NormalsLeadAwayFromTheCurve) {
   forEachPart(Ways::kAll, [&](const Part& part) {
-    const auto [x, y, lo, hi] = columnsNear(part.columns, part.curve);
+    const auto [x, y, lo, hi] = columnsNear(part);
     for (std::size_t k = 0; k < 8; ++k) {
       if (lo[k] >= hi[k]) continue;
       check(part.body, part.exact, {x[k], y[k], lo[k]}, true);
@@ -264,16 +278,16 @@ TEST_P(CurveSurfaces, LevelCutsAreWhereThePartBegins) {
   int cuts = 0, touched = 0, slopes = 0, right = 0;
   forEachPart(Ways::kAll, [&](const Part& part) {
     Vec3 inside;
-    if (!pointInside(part.columns, part.curve, inside)) return;
+    if (!pointInside(part, inside)) return;
     const double a = random(0.0, 6.28), far = part.number % 2 == 0 ? 60.0 : random(0.1, 3.0);
     const Vec3 on(std::cos(a), std::sin(a), 0.0), from = inside - far * on;
     if (part.side(from, on) <= 0.0) return;
-    const EdgeCut cut = part.body.curveCut(from, on.x(), on.y(), far);
+    const EdgeCut cut = part.body.levelCut(from, on.x(), on.y(), far);
     ++cuts;
     ASSERT_TRUE(part.beginsAt(from, on, cut.at));
     touched += part.isTouchedFrom(cut.start, from + cut.at * on) ? 1 : 0;
     const double step = 1e-6;
-    const double slope = curveSide(part.columns, {inside.x(), inside.y(), inside.z()}, on.x(), on.y()).slope;
+    const double slope = part.look(inside, on).slope;
     if (slope == 0.0) return;
     ++slopes;
     const double seen =
@@ -292,8 +306,8 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
   const auto cuts = std::make_unique<EdgeCuts>();
   forEachPart(Ways::kTurns, [&](const Part& part) {
     cuts->count = 0;
-    for (int k = 0; k < 13; ++k) addEdge(part.columns, part.curve, k, *cuts);
-    columnKernels().cuts(part.columns, *cuts);
+    for (int k = 0; k < 13; ++k) addEdge(part, k, *cuts);
+    if (cuts->count > 0) part.body.cutEdges(*cuts);
     for (int k = 0; k < cuts->count; ++k) {
       ++asked;
       if (cuts->found[k] == 0.0) continue;
@@ -302,7 +316,7 @@ TEST_P(CurveSurfaces, EdgesCutTogetherEndWhereTheTurnBegins) {
       const double at = level ? cuts->at[k] : 0.0;
       const Vec3 on(cuts->dx[k], cuts->dy[k], 0.0), from(cuts->x[k], cuts->y[k], cuts->z[k]);
       ASSERT_TRUE(!level || part.beginsAt(from, on, at));
-      touched += part.isTouchedFrom(part.body.startOf(cuts->place[k]), from + at * on) ? 1 : 0;
+      touched += part.isTouchedFrom(cuts->start[k], from + at * on) ? 1 : 0;
     }
   });
   EXPECT_GT(asked, 1000);
@@ -317,18 +331,18 @@ TEST_P(CurveSurfaces, LevelCutsOfLevelAndVerticalMovesAreWhereTheyBegin) {
     const ColumnSolid solid = columnSolid(profile);
     for (int i = 0; i < 400; ++i) {
       const auto [from, to] = moves_.line(i % 2);
-      const SweptBody body(profile, solid, from, to);
-      const Sweep exact = body.sweep();
+      const SweptBody body(profile, LineBody(columnLine(solid, from, to)));
+      const SweptField exact = body.field();
       std::array<double, 8> x{}, y{}, lo{}, hi{};
       const Vec3 near = from + random(0, 1) * (to - from);
       x[0] = near.x() + random(-4, 4), y[0] = near.y() + random(-4, 4);
-      columnKernels().columns(body.columns(), x.data(), y.data(), 1, lo.data(), hi.data());
+      body.columns(x.data(), y.data(), 1, lo.data(), hi.data());
       if (lo[0] >= hi[0]) continue;
       const Vec3 inside(x[0], y[0], lo[0] + random(0.02, 0.98) * (hi[0] - lo[0]));
       const double a = random(0.0, 6.28), far = i % 4 < 2 ? 60.0 : random(0.1, 3.0);
       const Vec3 on(std::cos(a), std::sin(a), 0.0), start = inside - far * on;
       if (exact.distance(start, 1e300) <= 0.0) continue;
-      const double cut = body.levelCut(start, on.x(), on.y(), far);
+      const double cut = body.levelCut(start, on.x(), on.y(), far).at;
       ++cuts;
       ASSERT_GE(exact.distance(start + (cut - 2e-8) * on, 1e300), -2e-8) << i;
       ASSERT_LE(exact.distance(start + (cut + 2e-8) * on, 1e300), 2e-8) << i;
@@ -346,15 +360,17 @@ TEST(SweptBodySurface, OtherToolsAndArcsHaveNone) {
   Tool tool = parseToolOption("1=bull:8:1.5").value();
   const ConvexProfile bull = makeToolSolid(tool).cutter.front();
   const ColumnSolid solid = columnSolid(bull);
-  const SweptBody round(bull, solid, Vec3::Zero(), Vec3(5, 0, 1));
+  const SweptBody round(bull, LineBody(columnLine(solid, Vec3::Zero(), Vec3(5, 0, 1))));
   EXPECT_FALSE(round.closedSurface(Vec3(2, 0, 0.4), 2, true));
   const ConvexProfile flat = makeToolSolid(parseToolOption("1=flat:8").value()).cutter.front();
   const ColumnSolid cylinder = columnSolid(flat);
   const Vec3 from = Vec3::Zero(), to(5, 0, 0);
-  EXPECT_TRUE(SweptBody(flat, cylinder, from, to).closedSurface(Vec3(2, 0, 0), 2, true));
+  EXPECT_TRUE(
+      SweptBody(flat, LineBody(columnLine(cylinder, from, to))).closedSurface(Vec3(2, 0, 0), 2, true));
   // A chord of a curve, which is known exactly.
-  const Sweep curve(flat, from, to, nullptr);
-  EXPECT_FALSE(SweptBody(flat, cylinder, from, to, &curve).closedSurface(Vec3(2, 0, 0), 2, true));
+  const SweptField curve(flat, from, to, nullptr);
+  EXPECT_FALSE(SweptBody(flat, ChordBody(columnLine(cylinder, from, to)), &curve)
+                   .closedSurface(Vec3(2, 0, 0), 2, true));
 }
 
 }  // namespace

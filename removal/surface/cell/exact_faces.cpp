@@ -108,7 +108,7 @@ ExactFaces::Body& ExactFaces::bodyOf(std::int64_t number) {
     if (b.number == number) return b;
   }
   const Pass& pass = record_->table.passes[static_cast<std::size_t>(number)];
-  const Body body{number, pass.body.wholeSweep()};
+  const Body body{number, pass.body.field()};
   if (kept_.size() < kKept) return kept_.emplace_back(body);
   Body& b = kept_[oldest_];
   oldest_ = (oldest_ + 1) % kKept;
@@ -126,7 +126,7 @@ ExactFaces::Foot ExactFaces::foot(std::int64_t body, const Vec3& q) {
   if (blank_ != nullptr) return footOnField(static_cast<std::uint64_t>(body), q);
   if (body < kNoBody) return footOnField(faceOfBody(body), q);
   Body& b = bodyOf(body);
-  const SweepSample s = b.sweep.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
+  const SweepSample s = b.field.sampleOutside(corner_ + h_ * q, kFootTolerance * h_, b.start);
   return {q - s.gradient * (s.value / h_), -s.gradient, s.element};
 }
 
@@ -149,7 +149,7 @@ bool ExactFaces::isRounded(std::int64_t body) const {
 }
 
 double ExactFaces::distanceTo(std::int64_t body, const Vec3& q) {
-  return bodyOf(body).sweep.distance(corner_ + h_ * q, h_) / h_;
+  return bodyOf(body).field.distance(corner_ + h_ * q, h_) / h_;
 }
 
 double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }
@@ -183,7 +183,7 @@ bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) const {
   const ConvexProfile& profile = pass->body.profile();
   // Going upright, the rim of a floor leaves the wall that the flank leaves.
   const ConvexProfile::Element& e = profile.element(first - profile.firstElementId());
-  return !e.arc && std::abs(foot.normal.z() - e.dr) < kFaceSlack;
+  return !e.arc && std::abs(foot.normal.dot(pass->body.axis()) - e.dr) < kFaceSlack;
 }
 
 bool ExactFaces::isBeside(const Foot& foot, std::uint64_t face) const {
@@ -192,11 +192,12 @@ bool ExactFaces::isBeside(const Foot& foot, std::uint64_t face) const {
   return pass != nullptr && goesOver(pass->body.profile(), std::min(end, first));
 }
 
-/// The one straight element of a tool that made both. Null where there is none.
+/// The one straight element of a tool that made both, its axis the same way. Null where there is none.
 const ConvexProfile::Element* ExactFaces::straightElementOf(std::uint64_t face, std::uint64_t other) const {
   if ((face & 0xFFFF) != (other & 0xFFFF) || (face & ConvexProfile::kEdgeIds) != 0) return nullptr;
   const Pass *const a = passOf(face), *const b = passOf(other);
   if (a == nullptr || b == nullptr || &a->body.profile() != &b->body.profile()) return nullptr;
+  if (a->body.axis() != b->body.axis() || a->body.axis().isZero()) return nullptr;
   const ConvexProfile& profile = a->body.profile();
   const ConvexProfile::Element& e = profile.element(elementOf(face) - profile.firstElementId());
   return e.arc ? nullptr : &e;

@@ -63,7 +63,7 @@ class ExactFaces {
   struct Foot {
     Vec3 p;       ///< in units of the cell
     Vec3 normal;  ///< unit, out of the material (into the body)
-    int element;  ///< as Sweep::sampleOutside says
+    int element;  ///< as SweptField::sampleOutside says
   };
   /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
   /// there.
@@ -111,8 +111,8 @@ class ExactFaces {
   static constexpr std::size_t kKept = 8;
   struct Body {
     std::int64_t number = kNoBody;
-    Sweep sweep;
-    double start = Sweep::kAnywhere;  ///< of the search for a nearest point: where the last one was
+    SweptField field;
+    double start = SweptField::kAnywhere;  ///< of the search for a nearest point: where the last one was
   };
   Body& bodyOf(std::int64_t number);
 

@@ -40,8 +40,8 @@ double shareUnder(double height, const Vec3& n) {
   return std::clamp(sum / (6.0 * a.prod()), 0.0, 1.0);
 }
 
-/// As Sweep::sample, with a distance to the tangent plane also inside: it is looked at from outside.
-SweepSample samplePlane(const Sweep& sweep, const Vec3& p, double reach) {
+/// As SweptField::sample, with a distance to the tangent plane also inside: it is looked at from outside.
+SweepSample samplePlane(const SweptField& sweep, const Vec3& p, double reach) {
   SweepSample s = sweep.sample(p);
   if (s.value >= 0.0) return s;
   const Vec3 out = reach * s.gradient;
@@ -88,7 +88,7 @@ double CellMaterial::shareOf(Part part, std::size_t begin, std::size_t end) {
   double sum = 0.0;
   bool swept = false;
   for (std::size_t i = begin; i < end && !swept; ++i) {
-    asked_ += sweeps_[kept_[i]].isCurve() ? kAsksOfACurve : 1;
+    asked_ += sweeps_[kept_[i]].isSlow() ? kAsksOfACurve : 1;
     const double off = sweeps_[kept_[i]].distance(part.middle, radius);
     swept = off <= -radius;
     if (off < radius) kept_.push_back(kept_[i]);

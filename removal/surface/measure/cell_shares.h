@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "removal/surface/mesh/surface_quads.h"
-#include "removal/sweep/sweep.h"
+#include "removal/sweep/swept_field.h"
 
 namespace proveout {
 
@@ -31,7 +31,7 @@ class CellMaterial {
   double cutByPlanes(const Part& part, std::size_t begin) const;
 
   const Stock::Impl& impl_;
-  std::vector<Sweep> sweeps_;        ///< of the bodies that come to the cell
+  std::vector<SweptField> sweeps_;   ///< of the bodies that come to the cell
   std::vector<std::uint16_t> kept_;  ///< a stack of those that come to a part, to the part it is of, ...
   std::size_t asked_ = 0;
 };

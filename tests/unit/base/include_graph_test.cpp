@@ -168,8 +168,8 @@ TEST(IncludeGraph, FoldersIncludeWhatIsBelow) {
 
 /// The run loop stands between the limits of a run and the controls.
 TEST(IncludeGraph, TheRunLoopKnowsNoControl) {
-  const std::vector<std::string> below = {"core/base/", "core/nc/control/", "core/nc/limits/", "core/nc/text/",
-                                          "core/nc/flow/"};
+  const std::vector<std::string> below = {"core/base/", "core/nc/control/", "core/nc/limits/",
+                                          "core/nc/text/", "core/nc/flow/"};
   std::size_t files = 0;
   for (const auto& [file, included] : includes()) {
     if (!file.starts_with("core/nc/flow/")) continue;
@@ -217,9 +217,13 @@ TEST(IncludeGraph, FoldersAreNoCorridors) {
   for (const auto& [folder, count] : files) EXPECT_LE(count, kMostFiles) << folder;
 }
 
+std::string contentOf(const std::string& file) {
+  std::ifstream in(fs::path(PROVEOUT_SOURCE_DIR) / file);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 /// What all controls of the ISO family do knows none of them: they hand in tables.
 TEST(IsoWall, TheSharedCodeNamesNoControl) {
-  const fs::path root(PROVEOUT_SOURCE_DIR);
   std::size_t seen = 0;
   for (const auto& [file, included] : includes()) {
     if (!file.starts_with("core/nc/iso/")) continue;
@@ -228,8 +232,7 @@ TEST(IsoWall, TheSharedCodeNamesNoControl) {
       for (const char* control : {"nct/", "wl4/", "flexnc/", "wedm/", "registry/"})
         EXPECT_FALSE(other.starts_with(std::string("core/nc/") + control)) << file << ": " << other;
     }
-    std::ifstream in(root / file);
-    const std::string all((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const std::string all = contentOf(file);
     for (const char* name : {"\"nct", "ControlId"})
       EXPECT_EQ(all.find(name), std::string::npos) << file << ": " << name;
   }
@@ -238,17 +241,33 @@ TEST(IsoWall, TheSharedCodeNamesNoControl) {
 
 /// What a process is shows in its row and in its workpieces alone: with another one nothing else changes.
 TEST(ProcessWall, NobodyElseAsksWhichProcessItIs) {
-  const fs::path root(PROVEOUT_SOURCE_DIR);
   for (const auto& [file, included] : includes()) {
     if (!file.starts_with("app/") || file.starts_with("app/session/process/") ||
         file.starts_with("app/session/run/process."))
       continue;
-    std::ifstream in(root / file);
-    const std::string all((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    const std::string all = contentOf(file);
     for (const char* name : {"ProcessKind", "TurnedShape", "TurnedForm", "TurnedPiece", "TurnedStock",
                              "WireStock", "WirePiece", "MilledPiece"})
       EXPECT_EQ(all.find(name), std::string::npos) << file << ": " << name;
   }
+}
+
+/// What kind a swept body is shows in removal/sweep alone: with another kind nothing else changes.
+TEST(BodyWall, NobodyElseAsksWhatKindABodyIs) {
+  std::size_t kinds = 0;
+  for (const auto& [file, included] : includes()) {
+    const std::string all = contentOf(file);
+    const bool within = file.starts_with("removal/sweep/");
+    for (const char* name : {"LineBody",       "ChordBody",   "LevelArcBody", "TurnBody",  "UprightBody",
+                             "WayBody",        "BodyKind",    "LineSweep",    "ArcSweep",  "TurnSweep",
+                             "UprightSweep",   "WaySweep",    "columnLine",   "columnArc", "columnTurns",
+                             "columnUprights", "columnParts", "CurveWay",     "kernelsOf", "round_top"}) {
+      const bool named = all.find(name) != std::string::npos;
+      if (within) kinds += named ? 1 : 0;
+      EXPECT_TRUE(within || !named) << file << ": " << name;
+    }
+  }
+  EXPECT_GT(kinds, 20u) << "the kinds have other names now";
 }
 
 }  // namespace

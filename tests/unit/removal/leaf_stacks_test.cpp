@@ -40,8 +40,9 @@ class LeafStacksTest : public ::testing::Test {
       const Vec3 from(random(-4, 35), random(-4, 26), random(-9, 1));
       Pass pass;
       pass.motion = i;
-      pass.body = SweptBody(*cutter.profile, cutter.columns, from,
-                            from + Vec3(random(-2, 2), random(-2, 2), random(-1, 1)));
+      pass.body = SweptBody(*cutter.profile,
+                            LineBody(columnLine(cutter.columns, from,
+                                                from + Vec3(random(-2, 2), random(-2, 2), random(-1, 1)))));
       record_.table.passes.push_back(pass);
     }
   }
@@ -53,7 +54,7 @@ class LeafStacksTest : public ::testing::Test {
       const Vec3 at = stock_.inside().position(origin.offsetBy(i % 9, i / 9, 0));
       x[static_cast<std::size_t>(i)] = at.x(), y[static_cast<std::size_t>(i)] = at.y();
     }
-    columnKernels().columns(pass.body.columns(), x.data(), y.data(), 81, lo.data(), hi.data());
+    pass.body.columns(x.data(), y.data(), 81, lo.data(), hi.data());
     return *std::min_element(lo.begin(), lo.begin() + 81) < height;
   }
 
@@ -125,7 +126,7 @@ TEST_F(LeafStacksTest, TheTreeOverManyCuttersFindsTheNearest) {
     const MotionId end = i % 2 == 0 ? 9000 : 3000;
     double nearest = std::numeric_limits<double>::infinity();
     for (MotionId m = 0; m < end; ++m)
-      nearest = std::min(nearest, record_.table.passes[m].body.sweep().distance(p, nearest));
+      nearest = std::min(nearest, record_.table.passes[m].body.field().distance(p, nearest));
     const CutterIndex::Near found = index.nearest(p, end, std::numeric_limits<double>::infinity());
     if (nearest < 0.0) {
       EXPECT_LT(found.distance, 0.0);

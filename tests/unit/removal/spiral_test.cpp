@@ -243,15 +243,15 @@ TEST(SpiralColumns, LowerEndsAreThoseOfASlowSearch) {
     for (const auto& [text, outline] : tools) {
       const ConvexProfile profile = makeToolSolid(tool(text)).cutter.front();
       const ColumnSolid solid = columnSolid(profile);
-      const std::vector<ColumnSweep> parts = columnParts(solid, way);
+      const std::vector<WaySweep> parts = columnParts(solid, way);
       for (int i = 1; i <= 500; ++i) {
         const double t = s.way * std::fmod(0.618034 * i, 1.0),
                      beside = 6.0 * std::fmod(0.754878 * i, 1.0) - 3.0;
         const Vec2 p = s.at(t).head<2>() + beside * s.left(t);
         double x[8] = {p.x()}, y[8] = {p.y()}, lo[8], hi[8], low = 0.0;
-        const ColumnSweep* lowest = nullptr;
-        for (const ColumnSweep& part : parts) {
-          columnKernels().columns(part, x, y, 1, lo, hi);
+        const WaySweep* lowest = nullptr;
+        for (const WaySweep& part : parts) {
+          columnKernels().way.columns(part, x, y, 1, lo, hi);
           if (lo[0] < low) low = lo[0], lowest = &part;
         }
         ASSERT_NEAR(low, -depthAt(s, outline, p, t, 3.0 / s.first), 1e-9) << text << ' ' << fall << ' ' << i;

@@ -1,8 +1,8 @@
+#include "removal/sweep/kinds/line_body.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-#include "removal/sweep/swept_body.h"
 
 namespace proveout {
 
@@ -13,8 +13,7 @@ enum FlatElement { kBottom, kFlank, kTop, kFlatElements };
 
 /// The sphere, below its centre, or below the lowest place of that going upright; the flank above it is left
 /// to others.
-std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
-  const ColumnSweep& c = body.columns();
+std::optional<SweptSurface> ballSurface(const LineSweep& c, int first, const Vec3& p) {
   const Vec3 way = sweepWay(c);
   const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
   if (way.head<2>().squaredNorm() == 0.0 && q.z() > std::min(0.0, way.z())) return std::nullopt;
@@ -22,14 +21,13 @@ std::optional<SweptSurface> ballSurface(const SweptBody& body, const Vec3& p) {
   const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
   const Vec3 normal = q - t * way;
   if (normal.z() > 0.0) return std::nullopt;
-  return SweptSurface{normal.normalized(), body.profile().firstElementId()};
+  return SweptSurface{normal.normalized(), first};
 }
 
 /// A cylinder on a line, as seen from one point in plan view.
 class FlatSweep {
  public:
-  FlatSweep(const SweptBody& body, const Vec3& p)
-      : c_(body.columns()), first_(body.profile().firstElementId()), z_(p.z()) {
+  FlatSweep(const LineSweep& columns, int first, const Vec3& p) : c_(columns), first_(first), z_(p.z()) {
     const double qx = p.x() - c_.x, qy = p.y() - c_.y;
     along_ = qx * c_.ux + qy * c_.uy;
     across_ = qx * c_.uy - qy * c_.ux;
@@ -69,15 +67,15 @@ class FlatSweep {
     return {along * c_.ux + across * c_.uy, along * c_.uy - across * c_.ux};
   }
 
-  const ColumnSweep& c_;
+  const LineSweep& c_;
   int first_;
   double z_, along_, across_, half_, beyond_;  ///< half_: of the chord on which the tool is over the point
 };
 
-SweptSurface flatSurface(const SweptBody& body, const Vec3& p, int axis, bool below) {
-  const FlatSweep sweep(body, p);
+SweptSurface flatSurface(const LineSweep& c, int first, const Vec3& p, int axis, bool below) {
+  const FlatSweep sweep(c, first, p);
   if (axis == 2) return sweep.end(below ? -1 : 1);
-  if (body.columns().slope == 0.0) return sweep.flank();
+  if (c.slope == 0.0) return sweep.flank();
   const double flank = sweep.missesFlank(), lower = sweep.missesEnd(-1), upper = sweep.missesEnd(1);
   if (flank <= std::min(lower, upper)) return sweep.flank();
   return sweep.end(lower <= upper ? -1 : 1);
@@ -85,11 +83,36 @@ SweptSurface flatSurface(const SweptBody& body, const Vec3& p, int axis, bool be
 
 }  // namespace
 
-std::optional<SweptSurface> SweptBody::closedSurface(const Vec3& p, int axis, bool below) const {
-  if (!isLine()) return std::nullopt;
-  if (solid().ball) return ballSurface(*this, p);
-  if (solid().flat && profile_->elementCount() == kFlatElements) return flatSurface(*this, p, axis, below);
+std::optional<SweptSurface> LineBody::closedSurface(const BodyContext& of, const Vec3& p, int axis,
+                                                    bool below) const {
+  const int first = of.profile->firstElementId();
+  if (solid().ball) return ballSurface(way, first, p);
+  if (solid().flat && of.profile->elementCount() == kFlatElements)
+    return flatSurface(way, first, p, axis, below);
   return std::nullopt;
+}
+
+double LineBody::mostDepth(double x, double y) const {
+  const double qx = x - way.x, qy = y - way.y;
+  const double along = qx * way.ux + qy * way.uy, across = qx * way.uy - qy * way.ux;
+  const double beyond = along - std::clamp(along, 0.0, way.length);
+  return depthBeside(std::sqrt(across * across + beyond * beyond));
+}
+
+std::optional<double> LineBody::simpleBend(const ConvexProfile::Element& e) const {
+  if (e.arc) return e.cr == 0.0 ? std::optional(1.0 / e.radius) : std::nullopt;
+  if (e.dz == 0.0) return 0.0;
+  if (e.dr != 0.0) return std::nullopt;
+  return wallBend(e.ar, e.ar);
+}
+
+Vec3 LineBody::directionAt(const Vec3&) const {
+  return way.length > 0.0 ? Vec3(way.ux, way.uy, way.slope).normalized() : Vec3::Zero();
+}
+
+SweptField LineBody::field(const BodyContext& of) const {
+  const Vec3 from = sweepStart(way);
+  return SweptField(*of.profile, from, from + sweepWay(way), nullptr);
 }
 
 }  // namespace proveout

@@ -1,0 +1,166 @@
+#include "removal/sweep/motion_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/assert.h"
+
+namespace proveout {
+
+namespace {
+
+/// Curved motions are cut as chords that lie this close to them, mm: far below the smallest error that the
+/// surface has elsewhere. On helices about z, whose crossings are those of the curve itself, chords decide
+/// samples only, and a crossing that lies that close to one may be off by as much: there this share of the
+/// grid will do. Level arcs of one radius have a closed form and need none.
+constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
+/// The same for parts of the tool that do not cut: below what counts as contact.
+constexpr double kContactChordMm = 5e-4;
+constexpr double kMostChords = 1e6, kMostTurns = 1e5;
+/// Level arcs whose radius and height change by less than this are circles, mm.
+constexpr double kSameRadiusMm = 1e-7;
+/// Curves with a smaller radius, mm, or angle are cut as chords.
+constexpr double kLeastCurve = 1e-3;
+
+}  // namespace
+
+SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc) {
+  return SweptField(profile, motion.from, motion.to, arc);
+}
+
+Box3 partBounds(const ConvexProfile& profile, const Motion& /*motion*/, const Box3& way, double slack) {
+  const double r = profile.maxRadius() + slack;
+  return {way.min + Vec3(-r, -r, profile.zMin() - slack), way.max + Vec3(r, r, profile.zMax() + slack)};
+}
+
+const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part) {
+  bodies_.clear();
+  const Motion& m = path_.motions[id];
+  if (m.arc < 0) {
+    bodies_.push_back({SweptBody(*part.profile, LineBody(columnLine(*part.solid, m.from, m.to)))});
+    return bodies_;
+  }
+  PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, m, &arc));
+  if (isLevelArc(m, arc)) {
+    bodies_.push_back(
+        {SweptBody(*part.profile, LevelArcBody(columnArc(*part.solid, m.from, m.to, arc)), &curve)});
+  } else if (!addTurns(m, part, curve) && !addWay(id, part, curve)) {
+    addChords(m, part, curve);
+  }
+  return bodies_;
+}
+
+bool BodyMaker::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
+  const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
+  return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
+         std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm &&
+         frame.radius_start > kSameRadiusMm;
+}
+
+/// Turns of a helix about z, or the two halves of an upright arc. False for curves that have neither.
+bool BodyMaker::addTurns(const Motion& m, const PartUse& part, const SweptField& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
+  if (growth > 2.0 * kChordMm || std::min(frame.radius_start, sweep) < kLeastCurve) return false;
+  if (sweep > 2.0 * kPi * kMostChords) return false;
+  const bool about_z = arc.normal.head<2>().squaredNorm() < 1e-24;
+  const bool upright = std::abs(arc.normal.z()) < 1e-12 && std::abs(frame.rise) < kSameRadiusMm;
+  if (about_z) {
+    addTurnsAboutZ(m, part, curve);
+  } else if (upright) {
+    for (const UprightSweep& half : columnUprights(*part.solid, m.from, m.to, arc))
+      bodies_.push_back({SweptBody(*part.profile, UprightBody(half), &curve)});
+  }
+  return about_z || upright;
+}
+
+/// Turns lie under each other: where a lower one covers all of the blank that the next does, this is left
+/// out.
+void BodyMaker::addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const std::vector<TurnSweep> turns = columnTurns(*part.solid, m.from, m.to, arc);
+  const double blank_top = blank_top_ + h_;
+  const bool falls = m.to.z() < m.from.z(), takes = part.takes && hasLevelTop(*part.solid);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t below = falls ? i + 1 : i - 1;
+    const bool has_lower = takes && below < turns.size() && isWholeTurn(turns[below]);
+    if (has_lower && TurnBody(turns[below]).coveredTop() >= blank_top) continue;
+    bodies_.push_back(
+        {SweptBody(*part.profile, TurnBody(turns[i]), &curve), has_lower ? (falls ? 1 : -1) : 0});
+  }
+}
+
+/// Parts of a spiral about z, of a helix whose radius changes, and of arcs and helices about axes that lean.
+/// Parts that vectors serve for all columns are bodies; others are searched column by column, which is slower
+/// than chords where these have closed forms, and on arcs that lean.
+bool BodyMaker::addWay(MotionId id, const PartUse& part, const SweptField& curve) {
+  const Motion& m = path_.motions[id];
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const double sweep = std::abs(arc.sweep_rad);
+  const bool leans = arc.normal.head<2>().squaredNorm() > 1e-24;
+  if (leans && !hasPlainEnds(*part.solid)) return false;
+  const bool level = std::abs(m.to.z() - m.from.z()) < kSameRadiusMm;
+  const bool closed_form = part.solid->flat || part.solid->ball;
+  if (sweep < kLeastCurve || sweep > 2.0 * kPi * kMostTurns) return false;
+  if (way_of_ != id) store_.ways.push_back(curveWay(m.from, m.to, arc));
+  way_of_ = id;
+  for (const WaySweep& columns : columnParts(*part.solid, store_.ways.back())) {
+    const bool chords = (leans || (closed_form && !level)) && !isPlainPart(columns);
+    if (chords && !columns.again) addWayChords(part, columns, curve);
+    if (!chords) bodies_.push_back({SweptBody(*part.profile, WayBody(columns), &curve)});
+  }
+  return true;
+}
+
+/// Chords of a part.
+void BodyMaker::addWayChords(const PartUse& part, const WaySweep& columns, const SweptField& curve) {
+  const CurveWay& way = *columns.way;
+  const double within = part.cuts ? kChordMm : kContactChordMm, wide = CurveWay::kNodesAPart * way.node_rad;
+  const double step = std::sqrt(8.0 * within / std::max(way.most_bend, 1e-6));
+  const int chords = static_cast<int>(std::ceil(wide / step));
+  const double first = columns.part * wide;
+  for (int i = 0; i < chords; ++i) {
+    const Vec3 from = way.node(first + wide * i / chords).at,
+               to = way.node(first + wide * (i + 1) / chords).at;
+    bodies_.push_back({SweptBody(*part.profile, ChordBody(columnLine(*part.solid, from, to)), &curve)});
+  }
+}
+
+/// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
+/// all of the blank that the upper ones do, these are left out.
+void BodyMaker::addChords(const Motion& m, const PartUse& part, const SweptField& curve) {
+  const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
+               sweep = std::abs(arc.sweep_rad);
+  const bool whole =
+      SweptBody(*part.profile, ChordBody(columnLine(*part.solid, m.from, m.to)), &curve).isAskedWhole();
+  const double within = !part.cuts ? kContactChordMm
+                        : whole    ? std::max(kChordMm, kChordShare * h_)
+                                   : kChordMm;
+  const double step = std::sqrt(8.0 * std::min(within, radius) / radius), turn = 2.0 * kPi;
+  const bool stacked = sweep > turn && part.takes && arc.normal.head<2>().squaredNorm() < 1e-24 &&
+                       frame.rise != 0.0 && std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm;
+  const double wanted = std::min(stacked ? turn / std::ceil(turn / step) : step, sweep);
+  const int chords = static_cast<int>(std::clamp(std::ceil(sweep / wanted - 1e-9), 1.0, kMostChords));
+  const bool exact = chords < kMostChords;  // else they are longer than wanted
+  const double angle = stacked && exact ? wanted : sweep / chords;
+  const int per_turn = stacked && exact ? static_cast<int>(std::lround(turn / angle)) : 0;
+  const bool falls = frame.n.z() * frame.rise < 0.0;
+  const double blank_top = blank_top_ + h_, pitch = std::abs(frame.rise) * turn / sweep;
+  Vec3 from = m.from;
+  for (int i = 0; i < chords; ++i) {
+    const Vec3 to = i + 1 == chords ? m.to : arcPoint(frame, arc, (i + 1) * angle / sweep);
+    const SweptBody chord(*part.profile, ChordBody(columnLine(*part.solid, from, to)), &curve);
+    from = to;
+    const bool has_lower =
+        per_turn > 0 && hasLevelTop(*part.solid) && (falls ? i + per_turn + 1 < chords : i >= per_turn);
+    if (has_lower && chord.coveredTop() - pitch >= blank_top) continue;
+    bodies_.push_back({chord, has_lower ? (falls ? per_turn : -per_turn) : 0});
+  }
+}
+
+}  // namespace proveout

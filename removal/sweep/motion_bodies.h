@@ -1,0 +1,67 @@
+// What stands for what one convex part of a tool sweeps on a motion, its bodies and its exact field: the one
+// place that knows what kinds there are and when each serves.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "core/path/toolpath.h"
+#include "removal/sweep/column_way.h"
+#include "removal/sweep/swept_body.h"
+
+namespace proveout {
+
+/// What bodies know by place; all stays where it is.
+struct BodyStore {
+  std::deque<SweptField> fields;  ///< of motions of which there may be several pieces
+  std::deque<CurveWay> ways;
+};
+
+/// The field of a part on a whole motion; `arc`: the motion's, null for lines. `profile` must outlive it.
+SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc);
+
+/// Bounds of a part while its tip is in the box `way`, on this motion, mm; `slack` mm wider.
+Box3 partBounds(const ConvexProfile& profile, const Motion& motion, const Box3& way, double slack);
+
+/// A convex part of a tool and what it is for.
+struct PartUse {
+  const ConvexProfile* profile;
+  const ColumnSolid* solid;  ///< columnSolid(*profile); both must outlive the bodies
+  bool cuts;                 ///< its chords must lie closer to their curve
+  bool takes;  ///< cuts, and contact is no finding: pieces that are covered anyway may be left out
+};
+
+struct MotionBody {
+  SweptBody body;
+  /// Of a helix about z: how far on in the list the body over the same place one turn lower is; 0: there is
+  /// none, or it does not cover all that this one does below its own top.
+  std::int32_t lower = 0;
+};
+
+/// Makes the bodies of a path's motions.
+class BodyMaker {
+ public:
+  /// `h`: spacing of the grid; `blank_top`: height of the blank, mm. `path` and `store` must outlive this.
+  BodyMaker(const Toolpath& path, double h, double blank_top, BodyStore& store)
+      : path_(path), h_(h), blank_top_(blank_top), store_(store) {}
+
+  /// The bodies of a part on a motion, in their order on the way. The next call overwrites them.
+  const std::vector<MotionBody>& make(MotionId id, const PartUse& part);
+
+ private:
+  bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
+  bool addTurns(const Motion& m, const PartUse& part, const SweptField& curve);
+  void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);
+  bool addWay(MotionId id, const PartUse& part, const SweptField& curve);
+  void addWayChords(const PartUse& part, const WaySweep& columns, const SweptField& curve);
+  void addChords(const Motion& m, const PartUse& part, const SweptField& curve);
+
+  const Toolpath& path_;
+  double h_, blank_top_;
+  BodyStore& store_;
+  MotionId way_of_ = kNoMotion;  ///< that the last of the ways belongs to
+  std::vector<MotionBody> bodies_;
+};
+
+}  // namespace proveout
