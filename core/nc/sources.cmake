@@ -86,6 +86,7 @@ target_sources(proveout_core PRIVATE
   nc/macro/variables.cpp
   nc/nct/alarms.cpp
   nc/nct/dialect.cpp
+  nc/nct/formulas.cpp
   nc/nct/nct_row.cpp
   nc/iso/block/auxiliary.cpp
   nc/iso/block/axis_words.cpp

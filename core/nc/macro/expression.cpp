@@ -15,52 +15,6 @@
 namespace proveout::nc {
 namespace {
 
-enum Special { kAxisNumber = 1, kParameter };
-
-constexpr int kNctSumRank = 1, kNctProductRank = 2;
-constexpr auto kNctOperators = std::to_array<FormulaOperator>({
-    {"+", kNctSumRank, Operation::kAdd},
-    {"-", kNctSumRank, Operation::kSubtract},
-    {"OR", kNctSumRank, Operation::kBitOr},
-    {"XOR", kNctSumRank, Operation::kBitXor},
-    {"*", kNctProductRank, Operation::kMultiply},
-    {"/", kNctProductRank, Operation::kDivide},
-    {"MOD", kNctProductRank, Operation::kModulo},
-    {"AND", kNctProductRank, Operation::kBitAnd},
-    {"EQ", 0, Operation::kEqual},
-    {"NE", 0, Operation::kUnequal},
-    {"GT", 0, Operation::kGreater},
-    {"GE", 0, Operation::kGreaterEqual},
-    {"LT", 0, Operation::kLess},
-    {"LE", 0, Operation::kLessEqual},
-});
-constexpr auto kNctFunctions = std::to_array<FormulaFunction>({
-    {"SIN", sine},
-    {"SQRT", squareRoot},
-    {"COS", cosine},
-    {"TAN", tangent},
-    {"ABS", absoluteValue},
-    {"ASIN", arcSine},
-    {"ACOS", arcCosine},
-    {"ATAN", arcTangent},
-    {"AXNUM", nullptr, nullptr, {}, kAxisNumber},
-    {"FIX", towardsZero},
-    {"FUP", fromZero},
-    {"EXP", exponential},
-    {"LN", naturalLogarithm},
-    {"NOT", bitComplement},
-    {"PRM", nullptr, nullptr, {}, kParameter},
-});
-
-constexpr FormulaRules nctRules() {
-  FormulaRules out;
-  out.formula_rank = kNctSumRank;
-  out.vacant = VacantRelation::kAboveAll;
-  return out;
-}
-
-constexpr FormulaLanguage kNctFormulas{nctRules(), FormulaRows(kNctOperators), FormulaRows(kNctFunctions)};
-
 /// A formula of a language whose variables are #n in a VariableStore.
 class MacroFormula : public FormulaParser<MacroFormula> {
  public:
@@ -87,7 +41,7 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   bool fail(const FormulaFault& fault);
   bool variable(Value& out);
   bool special(int which, const FormulaFunction& /*name*/, Value& out) {
-    return which == kAxisNumber ? axisNumber(out) : parameter(out);
+    return which == kMacroAxisNumber ? axisNumber(out) : parameter(out);
   }
   bool otherName(Value& out);
   void compared(const Value& left, const Value& right, bool holds);
@@ -364,8 +318,6 @@ bool MacroFormula::assignment() {
 }
 
 }  // namespace
-
-const FormulaLanguage& nctFormulas() { return kNctFormulas; }
 
 bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
   MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);

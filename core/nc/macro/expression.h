@@ -33,8 +33,11 @@ class MacroEnvironment {
   virtual ParameterAnswer parameter(int number, int bit, int index) const = 0;
 };
 
-/// Operators, functions and rules of the nct control.
-const FormulaLanguage& nctFormulas();
+/// Functions of a language that MacroEvaluator reads itself (FormulaFunction::special).
+enum MacroSpecial : int {
+  kMacroAxisNumber = 1,  ///< AXNUM[name]
+  kMacroParameter        ///< PRM[number, bit]/[index]
+};
 
 /// Evaluates formulas of a language whose variables are #n against the variables. Errors carry the control's
 /// alarm and the columns; a result that is no finite number is kValueLimit. Brackets and functions nest 64
@@ -43,7 +46,7 @@ class MacroEvaluator : public ExpressionHook {
  public:
   /// What is handed in must outlive the evaluator.
   MacroEvaluator(VariableStore& variables, const MacroEnvironment& environment, const AlarmTable& alarms,
-                 const FormulaLanguage& language = nctFormulas())
+                 const FormulaLanguage& language)
       : variables_(variables), environment_(environment), alarms_(alarms), language_(language) {}
   /// `origins` must outlive the evaluator. Without, values have no origins.
   void setOrigins(ValueOrigins& origins) { origins_ = &origins; }

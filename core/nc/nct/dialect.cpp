@@ -2,6 +2,7 @@
 
 #include "core/nc/iso/system_variables/all_banks.h"
 #include "core/nc/nct/alarms.h"
+#include "core/nc/nct/formulas.h"
 #include "core/nc/nct/parameters/nct_parameters.h"
 #include "core/nc/nct/tables/tables.h"
 
@@ -32,6 +33,7 @@ const IsoDialect& nctDialect() {
       .alarms = nctAlarms(),
       .codes = nctCodes(),
       .parameters = nctParameters(),
+      .formulas = nctFormulas(),
       .lexing = lexing(),
       .messages = kMessages,
       .system_variables = allBanks,

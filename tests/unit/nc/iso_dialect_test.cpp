@@ -46,6 +46,25 @@ const AlarmTable& alarms() {
   return kTable;
 }
 
+/// Power, and relations and AND as operators of a formula.
+constexpr auto kOperators = std::to_array<FormulaOperator>({
+    {"AND", 1, Operation::kAnd},
+    {"EQ", 2, Operation::kEqual},
+    {"GT", 2, Operation::kGreater},
+    {"+", 3, Operation::kAdd},
+    {"-", 3, Operation::kSubtract},
+    {"**", 5, Operation::kPower},
+    {"*", 4, Operation::kMultiply},
+    {"/", 4, Operation::kDivide},
+});
+constexpr auto kFunctions = std::to_array<FormulaFunction>({{"ABS", absoluteValue}});
+constexpr FormulaRules formulaRules() {
+  FormulaRules rules;
+  rules.whole_conditions = true;
+  return rules;
+}
+constexpr FormulaLanguage kFormulas{formulaRules(), FormulaRows(kOperators), FormulaRows(kFunctions)};
+
 const IsoDialect& dialect() {
   using namespace param_rows;
   static const CodeIndex kCodes({{kG, kM, {}}});
@@ -61,6 +80,7 @@ const IsoDialect& dialect() {
       .alarms = alarms(),
       .codes = kCodes,
       .parameters = kParameters,
+      .formulas = kFormulas,
       .increments = kIncrements,
       .layout = ProgramLayout::kSeveralInAFile,
       .system_variables = allBanks,
@@ -81,7 +101,7 @@ struct Ran {
     IsoControl control(dialect(), source, settings, sink, nullptr, ControlHost{});
     summary = control.run();
   }
-  Vec3 end() const { return path.motions.empty() ? Vec3::Zero() : path.motions.back().end; }
+  Vec3 end() const { return path.motions.empty() ? Vec3::Zero() : path.motions.back().to; }
   std::string firstCode() const {
     return path.diagnostics.all().empty() ? "" : path.diagnostics.all().front().code;
   }
@@ -94,6 +114,12 @@ TEST(IsoDialect, WordsWithoutAPointCountInIncrements) {
   EXPECT_TRUE(Ran("O1\nG21 G90 G0 X10000 Y2.5 Z#1\nM30\n").end().isApprox(Vec3(10, 2.5, 0)));
   EXPECT_TRUE(Ran("O1\nG20 G90 G0 X10000 Y1.\nM30\n").end().isApprox(Vec3(25.4, 25.4, 0)));
   EXPECT_TRUE(Ran("O1\n#1=3\nG0 X#1 Y[#1*2]\nIF[#1EQ3]G0 X1500\nM30\n").end().isApprox(Vec3(1.5, 6, 0)));
+}
+
+TEST(IsoDialect, FormulasHaveTheMakersRanks) {
+  EXPECT_TRUE(Ran("O1\n#1=2\nG0 X[1+#1**3*2] Y[#1 GT 1 AND 3 EQ 3]\nM30\n").end().isApprox(Vec3(17, 1, 0)));
+  EXPECT_TRUE(Ran("O1\nIF[1+1 EQ 2 AND 2 GT 1] G0 X2.\nM30\n").end().isApprox(Vec3(2, 0, 0)));
+  EXPECT_FALSE(Ran("O1\nG0 X[SIN[30]]\nM30\n").summary.ok()) << "it has no such function";
 }
 
 TEST(IsoDialect, SubprogramsStandInTheSameFile) {

@@ -10,6 +10,7 @@
 
 #include "core/nc/macro/expression.h"
 #include "core/nc/nct/alarms.h"
+#include "core/nc/nct/formulas.h"
 #include "core/nc/registry/interpreter.h"
 #include "core/path/toolpath.h"
 
@@ -114,7 +115,7 @@ TEST(MacroProperties, RandomFormulasHaveTheirValue) {
   VariableStore store;
   for (int n = 1; n <= 33; ++n) ASSERT_EQ(store.write(n, {maker.variables()[n]}), nc::VariableStatus::kDone);
   const NoEnvironment environment;
-  MacroEvaluator macro(store, environment, nc::nctAlarms());
+  MacroEvaluator macro(store, environment, nc::nctAlarms(), nc::nctFormulas());
   for (int k = 0; k < 20000; ++k) {
     const Formula formula = maker.make(5);
     Value value;

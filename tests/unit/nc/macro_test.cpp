@@ -12,6 +12,7 @@
 #include "core/nc/macro/expression.h"
 #include "core/nc/macro/loop_index.h"
 #include "core/nc/nct/alarms.h"
+#include "core/nc/nct/formulas.h"
 
 namespace proveout::nc {
 namespace {
@@ -65,7 +66,7 @@ class MacroFormulas : public testing::Test {
 
   VariableStore store_;
   Environment environment_;
-  MacroEvaluator macro_{store_, environment_, nctAlarms()};
+  MacroEvaluator macro_{store_, environment_, nctAlarms(), nctFormulas()};
   LexError error_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 IsoStages::IsoStages(IsoContext& c)
@@ -29,7 +31,7 @@ IsoContext::IsoContext(const IsoDialect& control, const ProgramSource& source,
       parameters(control.parameters),
       programs(source, control_settings.encoding, control.layout, sink),
       environment(axes, parameters),
-      macro(variables, environment, control.alarms),
+      macro(variables, environment, control.alarms, control.formulas),
       origins(sink),
       m_index(codes, control_settings),
       alarms(control.alarms, calls, programs, block, variables, emitter),
@@ -75,21 +77,13 @@ void IsoContext::recover() {
   settle(emitter.machine());
 }
 
-bool IsoContext::openCall(const CallFrame& frame) {
-  if (calls.depth() > kMaxNesting || (opensLocals(frame.kind) && !variables.enter(frame.args))) {
-    return fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
-  }
+void IsoContext::enteredCall() {
+  const CallFrame& frame = calls.top();
+  const bool room = !opensLocals(frame.kind) || variables.enter(frame.args);
+  PROVEOUT_ASSERT(room);  // as many levels as calls may be open
   origins.openCall();
-  calls.push(frame);
-  calls.top().run = ++calls_opened;
   enterProgram();
   last_called = frame.text;
-  return true;
-}
-
-void IsoContext::openMain(const CallFrame& frame) {
-  calls.push(frame);
-  enterProgram();
 }
 
 void IsoContext::enterProgram() {
@@ -100,8 +94,13 @@ void IsoContext::enterProgram() {
 }
 
 void IsoContext::closeCall() {
-  if (opensLocals(calls.top().kind)) variables.leave();
+  const CallKind kind = calls.top().kind;
   calls.pop();
+  leftCall(kind);
+}
+
+void IsoContext::leftCall(CallKind kind) {
+  if (opensLocals(kind)) variables.leave();
   origins.closeCall();
   enterProgram();
 }
@@ -109,7 +108,7 @@ void IsoContext::closeCall() {
 bool WorkGuard::over() {
   constexpr std::uint64_t kFreeMotions = 100;
   const CallFrame& main = calls_.main();
-  const double done = static_cast<double>(main.line) / static_cast<double>(main.text->lines().size());
+  const double done = static_cast<double>(main.next) / static_cast<double>(main.text->lines().size());
   const BlockWatch::Over over = blocks_.count({done, calls_.depth(), calls_.lineIndex()}, kFreeMotions);
   if (over == BlockWatch::Over::kLimit)
     alarms_.fail("block-limit", blocks_.message(", chords of curves included"));

@@ -203,19 +203,18 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   DataInput data_input = nullptr;  ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
-  std::uint64_t calls_opened = 0;
-  const SourceText* last_called = nullptr;  ///< the program that was called last; null: none yet
-  ChannelSet channels;                      ///< of the run; empty: it has one
+  const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet
+  ChannelSet channels;                          ///< of the run; empty: it has one
   WaitingPoint waiting;
 
   /// Number of this channel, 1 to 8.
   int channel() const { return settings.channel > 0 ? settings.channel : 1; }
 
-  /// Opens the main program.
-  void openMain(const CallFrame& frame);
-  /// Opens a program now, with a level of locals where its kind has one. False: nested too deep, reported.
-  bool openCall(const CallFrame& frame);
-  /// Closes the program in hand and its locals. Not for the main program.
+  /// The innermost program was opened by a call: a level of locals where its kind has one, its words.
+  void enteredCall();
+  /// A program of that kind was left: its locals go, its caller is in hand again.
+  void leftCall(CallKind kind);
+  /// Closes the program in hand. Not for the main program.
   void closeCall();
   /// Another program is in hand.
   void enterProgram();

@@ -69,9 +69,9 @@ bool IsoControl::findMMacro(MacroCall& call) {
   return true;
 }
 
-IsoControl::Go IsoControl::callMacro(const MacroCall& call) {
+Go IsoControl::callMacro(const MacroCall& call) {
   IsoContext& c = context_;
-  until_hit_ = until_hit_ || reachedUntil();
+  run_.blockDone();
   if (!c.systems.fault().empty()) {
     c.fail("parameter", c.systems.fault());
     return alarm();
@@ -90,8 +90,15 @@ IsoControl::Go IsoControl::callMacro(const MacroCall& call) {
   return frame.kind == CallKind::kModalMacro ? Go::kOn : open(c.modals.last());
 }
 
-IsoControl::Go IsoControl::open(const CallFrame& frame) {
-  return context_.openCall(frame) ? Go::kOn : alarm();
+Go IsoControl::open(const CallFrame& frame) {
+  IsoContext& c = context_;
+  if (c.calls.depth() > kMaxNesting) {
+    c.fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+    return alarm();
+  }
+  CallFrame opened = frame;
+  opened.end = frame.text->lines().size();
+  return run_.call(opened, static_cast<int>(frame.total));
 }
 
 /// The frame of G65, G66 and G66.1.
@@ -137,7 +144,7 @@ bool IsoControl::systemFrame(const MacroCall& call, CallFrame& frame) {
 }
 
 /// G66.1 is active: the block is a list of arguments.
-IsoControl::Go IsoControl::callFromBlock(const CallFrame& modal) {
+Go IsoControl::callFromBlock(const CallFrame& modal) {
   IsoContext& c = context_;
   CallFrame frame = modal;
   frame.args = Arguments();

@@ -67,7 +67,7 @@ void IsoControl::switchInterrupt() {
 }
 
 /// Behind a block without program flow: M96 and M97 take effect, and the signal may come.
-IsoControl::Go IsoControl::followInterrupts() {
+Go IsoControl::followInterrupts() {
   IsoContext& c = context_;
   switchInterrupt();
   if (interrupt_switch_ == InterruptSwitch::kOff && c.interrupt.resumed) return breakInterruptOff();
@@ -94,7 +94,7 @@ IsoControl::Go IsoControl::followInterrupts() {
 }
 
 /// M97 inside the interrupt macro.
-IsoControl::Go IsoControl::breakInterruptOff() {
+Go IsoControl::breakInterruptOff() {
   IsoContext& c = context_;
   while (c.calls.depth() > 2 && !c.calls.top().interrupt) c.closeCall();
   return c.calls.top().interrupt ? returnFrom(FlowRequest{.code = mcode::kReturn}) : Go::kOn;

@@ -58,9 +58,9 @@ const LoopIndex::Mark* loopMark(IsoContext& c, std::size_t pos) {
 
 }  // namespace
 
-IsoControl::Go IsoControl::statement() {
+Go IsoControl::statement() {
   IsoContext& c = context_;
-  until_hit_ = until_hit_ || reachedUntil();
+  run_.blockDone();
   std::size_t pos = c.block.statement;
   switch (c.block.kind) {
     case LineKind::kAssignment: {
@@ -98,7 +98,7 @@ bool IsoControl::condition(std::size_t& pos, bool& holds) {
   return true;
 }
 
-IsoControl::Go IsoControl::behindIf() {
+Go IsoControl::behindIf() {
   IsoContext& c = context_;
   Block& block = c.block;
   bool holds = false;
@@ -132,7 +132,7 @@ IsoControl::Go IsoControl::behindIf() {
   return checkRepeats(c) ? execute() : alarm();
 }
 
-IsoControl::Go IsoControl::goTo(std::size_t pos) {
+Go IsoControl::goTo(std::size_t pos) {
   IsoContext& c = context_;
   Value target;
   LexError error;
@@ -152,10 +152,10 @@ IsoControl::Go IsoControl::goTo(std::size_t pos) {
   }
   if (!endStatement(c, pos)) return stopAtAlarm();
   CallFrame& frame = c.calls.top();
-  return jump(frame, static_cast<std::int64_t>(number), frame.line) ? Go::kOn : stopAtAlarm();
+  return jump(frame, static_cast<std::int64_t>(number), frame.next) ? Go::kOn : stopAtAlarm();
 }
 
-IsoControl::Go IsoControl::enterLoop(std::size_t pos) {
+Go IsoControl::enterLoop(std::size_t pos) {
   IsoContext& c = context_;
   const std::string_view text = c.block.text;
   bool holds = true;
@@ -171,17 +171,17 @@ IsoControl::Go IsoControl::enterLoop(std::size_t pos) {
   const LoopIndex::Mark* mark = loopMark(c, skipBlanks(text, pos + 2));
   if (mark == nullptr) return stopAtAlarm();
   if (!holds) {
-    c.calls.top().line = mark->partner + 1;
+    c.calls.top().next = mark->partner + 1;
     lexer_.setInComment(false);
   }
   return Go::kOn;
 }
 
-IsoControl::Go IsoControl::endLoop() {
+Go IsoControl::endLoop() {
   IsoContext& c = context_;
   const LoopIndex::Mark* mark = loopMark(c, skipBlanks(c.block.text, c.block.statement + 3));
   if (mark == nullptr) return stopAtAlarm();
-  c.calls.top().line = mark->partner;
+  c.calls.top().next = mark->partner;
   lexer_.setInComment(false);
   return Go::kOn;
 }

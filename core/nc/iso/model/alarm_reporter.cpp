@@ -86,7 +86,7 @@ void AlarmReporter::addCalls(Notes& notes) const {
   for (std::size_t level = calls_.depth(); level-- > 1;) {
     const CallFrame& caller = calls_.at(level - 1);
     const CallFrame& called = calls_.at(level);
-    std::string note = calledFrom(*caller.text, caller.line) + " by " + callName(called);
+    std::string note = calledFrom(*caller.text, caller.next) + " by " + callName(called);
     if (opensLocals(called.kind)) {
       for (std::size_t n = 1; n < called.args.v.size(); ++n) {
         if (!called.args.v[n].vacant) note += fmt::format(" #{}={}", n, called.args.v[n].number);

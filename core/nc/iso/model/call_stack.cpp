@@ -28,8 +28,12 @@ std::string_view callKindName(CallKind kind) {
 
 void CallStack::pop() {
   PROVEOUT_ASSERT(!frames_.empty());
-  while (hasDeferred()) pending_.pop_back();
   frames_.pop_back();
+  left();
+}
+
+void CallStack::left() {
+  while (!pending_.empty() && pending_.back().depth > frames_.size()) pending_.pop_back();
   here_.file = frames_.empty() ? 0 : frames_.back().file;
   here_.depth = static_cast<std::uint16_t>(frames_.empty() ? 0 : frames_.size() - 1);
 }
@@ -46,7 +50,11 @@ bool CallStack::takeDeferred(CallFrame& out) {
 
 void CallStack::push(const CallFrame& frame) {
   frames_.push_back(frame);
-  here_.file = frame.file;
+  entered();
+}
+
+void CallStack::entered() {
+  here_.file = frames_.back().file;
   here_.depth = static_cast<std::uint16_t>(frames_.size() - 1);
   if (here_.line == 0) here_.line = 1;
 }

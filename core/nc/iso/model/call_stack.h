@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/assert.h"
+#include "core/nc/flow/flow_frame.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
@@ -37,20 +38,18 @@ struct FlowRequest {
   std::int64_t number = -1;
 };
 
-struct CallFrame {
+/// Its blocks are the lines of the text.
+struct CallFrame : FlowFrame {
   SourceText* text = nullptr;
   std::uint32_t file = 0;
   CallKind kind = CallKind::kMain;
   std::int16_t modal_index = -1;   ///< G66: which of the open modal calls this one belongs to; -1: none
-  std::size_t line = 0;            ///< index of the next line
-  std::int64_t total = 1;          ///< repetitions
-  std::int64_t done = 0;           ///< repetitions carried out
+  std::int64_t total = 1;          ///< repetitions that the call asks for
   std::int64_t return_block = -1;  ///< N of the caller to go on from, or -1
   std::int32_t system_code =
       -1;                  ///< the code that parameters turned into this call (see system_calls.h), or -1
   bool interrupt = false;  ///< opened by the interrupt signal
   FlowRequest waiting;     ///< to be done when the calls that the block put off are done
-  std::uint64_t run = 0;   ///< number of the call, from 1; 0: the main program
   Arguments args;
 };
 
@@ -70,9 +69,12 @@ class CallStack {
   CallFrame& at(std::size_t level) { return frames_[level]; }
   const CallFrame& at(std::size_t level) const { return frames_[level]; }
 
-  /// Opens and closes frames alone; openCall() and closeCall() take care of nesting and locals too.
-  void push(const CallFrame& frame);
+  /// For the run loop, which opens and closes frames; it tells so by entered() and left().
+  std::vector<CallFrame>& frames() { return frames_; }
+  void entered();
   /// Calls that the frame put off are dropped.
+  void left();
+  void push(const CallFrame& frame);
   void pop();
 
   /// Puts a call off until the block in hand is done; calls run in the order in which they were put off.

@@ -11,6 +11,7 @@
 #include "core/nc/iso/model/codes.h"
 #include "core/nc/iso/model/program_store.h"
 #include "core/nc/iso/parameters/parameter_table.h"
+#include "core/nc/macro/formula_language.h"
 #include "core/nc/text/alarms.h"
 #include "core/nc/text/lexer.h"
 
@@ -43,7 +44,8 @@ struct IsoDialect {
   const AlarmTable& alarms;
   const CodeIndex& codes;
   const ParameterTable& parameters;
-  LexRules lexing = {};  ///< formulas and names of axes come from the channel
+  const FormulaLanguage& formulas;  ///< whose variables are #n
+  LexRules lexing = {};             ///< formulas and names of axes come from the channel
   std::span<const IncrementWords> increments = {};
   ProgramLayout layout = ProgramLayout::kOneInAFile;
   MessageNumbers messages = {};

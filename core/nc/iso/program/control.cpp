@@ -48,6 +48,7 @@ IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
                        const ControlHost& host)
     : settings_(withAxisParameters(dialect.parameters, settings)),
       context_(dialect, source, settings_, sink, progress, host, summary_),
+      run_(*this, context_.calls.frames(), summary_, settings_),
       loop_budget_(settings.block_limit, [this] { return loopState(context_); }),
       lexer_(lexRules(context_), dialect.alarms) {
   if (dialect.system_variables != nullptr) system_variables_ = dialect.system_variables(context_);
@@ -64,9 +65,9 @@ InterpretSummary IsoControl::run() {
 }
 
 IsoControl::Turn IsoControl::advance() {
-  const Go go = step();
+  const Go go = run_.advance();
   if (go == Go::kOn) return Turn::kOn;
-  if (go == Go::kWait) return Turn::kWaits;
+  if (go == Go::kWaits) return Turn::kWaits;
   context_.stages.rapid.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
   context_.emitter.time().flush();
   return Turn::kEnded;
@@ -115,12 +116,36 @@ bool IsoControl::loadMain() {
   CallFrame frame;
   frame.text = main.text;
   frame.file = main.file;
-  c.openMain(frame);
+  frame.end = main.text->lines().size();
+  run_.openMain(frame);
   bool any = false;
-  for (const auto line : frame.text->lines())
+  for (const auto line : main.text->lines())
     any = any || line.find_first_not_of(" \t%") != std::string_view::npos;
-  if (!any) return c.fail("empty", frame.text->name() + ": the program is empty");
+  if (!any) return c.fail("empty", main.text->name() + ": the program is empty");
   return true;
+}
+
+bool IsoControl::opened() {
+  IsoContext& c = context_;
+  CallFrame& frame = run_.top();
+  c.calls.entered();
+  if (c.calls.depth() == 1) {
+    c.enterProgram();
+  } else if (!repeats_) {
+    c.enteredCall();
+  } else if (opensLocals(frame.kind)) {  // a macro with its arguments anew
+    c.variables.enter(frame.args);
+  }
+  repeats_ = false;
+  tape_.skipLeader(c, frame);
+  return true;
+}
+
+void IsoControl::closed() {
+  IsoContext& c = context_;
+  c.calls.left();
+  if (!repeats_) return c.leftCall(leaves_);
+  if (opensLocals(leaves_)) c.variables.leave();
 }
 
 /// Whether the program is in a loop without an end: reported then. Other channels and a tool whose life
@@ -131,9 +156,8 @@ bool IsoControl::goesRound(const CallFrame& frame, std::size_t line) {
   alone.add(c.channel());
   const bool others = !c.channels.empty() && !(c.channels == alone);
   if (others || c.state.tool_row > 0) return false;
-  const std::uint64_t run = frame.run << 24 | static_cast<std::uint64_t>(frame.done);
   const bool endless = loop_.comesBack(
-      run, c.calls.depth(), line, c.variables.fingerprint(),
+      frame.run, c.calls.depth(), line, c.variables.fingerprint(),
       {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
   return endless && c.work.endless(loop_.message());
 }
@@ -143,60 +167,70 @@ bool IsoControl::goesRound(const CallFrame& frame, std::size_t line) {
 bool IsoControl::goesOn(const CallFrame& frame, std::size_t line) {
   IsoContext& c = context_;
   const double blocks = c.channels.empty() ? static_cast<double>(summary_.blocks) : 0.0;
-  const bool endless = loop_budget_.arrives({c.calls.depth(), line, line, frame.run, frame.done, frame.total},
-                                            {blocks, static_cast<double>(summary_.motions)});
+  const FlowFrame::Call& call = frame.call;
+  const bool endless =
+      loop_budget_.arrives({c.calls.depth(), line, line, call.number, call.repetition, call.repetitions},
+                           {blocks, static_cast<double>(summary_.motions)});
   return endless && c.work.endless(loop_budget_.message());
 }
 
-IsoControl::Go IsoControl::step() {
+/// Opens a call that was put off, or goes on with the flow of a block that waited for such calls.
+Go IsoControl::due() {
   IsoContext& c = context_;
   if (c.calls.hasDeferred()) {
     CallFrame deferred;
-    if (!c.calls.takeDeferred(deferred) || !c.openCall(deferred)) return alarm();
-  } else if (c.calls.top().waiting.code != 0) {
-    const FlowRequest request = std::exchange(c.calls.top().waiting, {});
-    c.setBlock(request.line, request.number);
-    return flow(request);
-  } else if (until_hit_ && c.calls.depth() == 1) {
-    return finish("until", ProgramEnd::kUntil);
+    return c.calls.takeDeferred(deferred) ? open(deferred) : alarm();
   }
-  CallFrame& frame = c.calls.top();
-  if (frame.line >= frame.text->lines().size()) return endOfText();
-  if (frame.line == 0) tape_.skipLeader(c, frame);
-  const std::size_t line = frame.line++;
+  if (c.calls.top().waiting.code == 0) return Go::kOn;
+  const FlowRequest request = std::exchange(c.calls.top().waiting, {});
+  c.setBlock(request.line, request.number);
+  const Go go = flow(request);
+  return go == Go::kOn ? Go::kNext : go;
+}
+
+Reading IsoControl::read() {
+  IsoContext& c = context_;
+  CallFrame& frame = run_.top();
   Block& block = c.block;
   lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
-  const bool lexed = lexer_.lex(frame.text->lines()[line], block);
-  c.setBlock(line, block.number);
+  const bool lexed = lexer_.lex(frame.text->lines()[frame.block], block);
+  frame.number = block.number;
+  c.setBlock(frame.block, block.number);
   // CBB = 0: the switch is read when the block before is done.
   const bool now = block.skip > 0 && !c.parameters.flag(MotionParam::kSkipKeepsLookAhead);
-  if (now && !c.flushPipe()) return alarm();
-  if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)]) return Go::kOn;
+  if (now && !c.flushPipe()) return Reading::kBad;
+  if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)])
+    return Reading::kSkipped;
   bool good = lexed || c.fail(lexer_.error());
   takeIncrements(c);
   if (good && block.percent) {
-    if (!tape_.onlyHeaderAbove(c.calls)) return endOfText();
-    noteTapeName(c);
-    if (block.empty()) return Go::kOn;
+    const bool head = tape_.onlyHeaderAbove(c.calls);
+    if (head) noteTapeName(c);
+    if (!head) frame.next = frame.end;
+    if (!head || block.empty()) return Reading::kSkipped;
   }
-  MacroCall call;
-  const bool calls = good && findCall(false, call);
-  good = good && (calls || (checkRepeats(c) && tape_.checkHeader(c)));
-  if (good && block.empty()) {
-    until_hit_ = until_hit_ || reachedUntil();
-    return Go::kOn;
-  }
-  if (c.work.over() || goesRound(frame, line) || goesOn(frame, line)) return Go::kStop;
-  ++summary_.blocks;
-  if (!good) return alarm();
-  if (calls) return callMacro(call);
-  if (block.kind != LineKind::kBlock) return statement();
+  macro_call_ = {};
+  calls_macro_ = good && findCall(false, macro_call_);
+  good = good && (calls_macro_ || (checkRepeats(c) && tape_.checkHeader(c)));
+  if (good && block.empty()) return Reading::kEmpty;
+  return good ? Reading::kBlock : Reading::kBad;
+}
+
+bool IsoControl::workOver() {
+  const CallFrame& frame = run_.top();
+  return context_.work.over() || goesRound(frame, frame.block) || goesOn(frame, frame.block);
+}
+
+Go IsoControl::carryOut() {
+  IsoContext& c = context_;
+  if (calls_macro_) return callMacro(macro_call_);
+  if (c.block.kind != LineKind::kBlock) return statement();
   if (c.data_input == nullptr) return execute();
-  until_hit_ = until_hit_ || reachedUntil();
+  run_.blockDone();
   return dataBlock(c) ? Go::kOn : alarm();
 }
 
-IsoControl::Go IsoControl::endOfText() {
+Go IsoControl::endOfText() {
   IsoContext& c = context_;
   const SourceText& text = *c.calls.top().text;
   if (lexer_.inComment()) {
@@ -205,7 +239,7 @@ IsoControl::Go IsoControl::endOfText() {
   }
   if (c.calls.depth() == 1) {
     c.warn("no-end", "the program ends without M2 or M30: is the file cut short?");
-    return finish("end of text", ProgramEnd::kEndOfProgram);
+    return run_.finish("end of text", ProgramEnd::kEndOfProgram);
   }
   if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
   if (no_return_told_.insert(c.calls.top().file).second)
@@ -215,7 +249,7 @@ IsoControl::Go IsoControl::endOfText() {
 }
 
 /// `open`: its place; none: not known, the last line is told.
-IsoControl::Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& open) {
+Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& open) {
   IsoContext& c = context_;
   const std::size_t lines = c.calls.top().text->lines().size();
   c.setBlock(open ? open->line : std::max<std::size_t>(lines, 1) - 1, c.block.number);
@@ -223,28 +257,21 @@ IsoControl::Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& ope
   return stopAtAlarm();
 }
 
-IsoControl::Go IsoControl::execute() {
+Go IsoControl::execute() {
   IsoContext& c = context_;
   BlockPlan plan;
-  const bool reached = reachedUntil();  // before the block opens a program of its own
   const bool good = subprograms_.take(c) && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
-  until_hit_ = until_hit_ || reached;  // a called subprogram still runs
+  run_.blockDone();  // a called subprogram still runs
   deferCalls(plan);
   if (plan.wait_code != 0) {
     if (!performWait(c, plan)) return alarm();
-    if (c.waiting.code != 0) return Go::kWait;
+    if (c.waiting.code != 0) return Go::kWaits;
   }
   if (plan.flow == nullptr) return followInterrupts();
   switchInterrupt();
   return flow(plan);
-}
-
-bool IsoControl::reachedUntil() const {
-  const IsoContext& c = context_;
-  if (!c.settings.until || c.calls.depth() != 1) return false;
-  return c.settings.until->reachedBy(c.block.number, c.calls.lineIndex());
 }
 
 }  // namespace proveout::nc

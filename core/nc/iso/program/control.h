@@ -16,6 +16,7 @@
 #include "core/nc/control/control_settings.h"
 #include "core/nc/control/program_source.h"
 #include "core/nc/control/run_summary.h"
+#include "core/nc/flow/run_loop.h"
 #include "core/nc/iso/context/context.h"
 #include "core/nc/iso/macro/subprogram_words.h"
 #include "core/nc/iso/model/system_calls.h"
@@ -29,7 +30,7 @@
 namespace proveout::nc {
 
 /// The run loop of one channel: lines, header, program flow. What codes do is in the chapters' files.
-class IsoControl {
+class IsoControl final : private FlowControl {
  public:
   /// What is handed in must outlive the control.
   IsoControl(const IsoDialect& dialect, const ProgramSource& source, const ControlSettings& settings,
@@ -50,17 +51,28 @@ class IsoControl {
   IsoContext& context() { return context_; }
 
  private:
-  enum class Go { kOn, kWait, kStop };
+  // program/control.cpp: what the run loop asks
+  Go due() override;
+  Reading read() override;
+  bool workOver() override;
+  void refuse() override {}  // reported where it was found
+  Go carryOut() override;
+  Go resume() override { return Go::kNext; }
+  Go endOfText() override;
+  bool opens() override { return true; }
+  bool opened() override;
+  void closed() override;
+  bool flush(ProgramEnd end) override;
+  void sendEnd(const std::string& code) override;
+  void tell(const char* what, const std::string& message) override { context_.fail(what, message); }
+  const SourceText& text() const override { return *context_.calls.top().text; }
+  std::size_t line() const override { return context_.calls.lineIndex(); }
 
-  // program/control.cpp
   bool loadMain();
-  Go step();
   bool goesRound(const CallFrame& frame, std::size_t line);
   bool goesOn(const CallFrame& frame, std::size_t line);
-  Go endOfText();
   Go commentLeftOpen(const std::optional<OpenComment>& open);
   Go execute();
-  bool reachedUntil() const;
 
   // program/flow.cpp
   Go flow(const BlockPlan& plan);
@@ -70,10 +82,8 @@ class IsoControl {
   /// The program of P or <file> of the block, as seen from file `caller`.
   bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
   Go returnFrom(const FlowRequest& request);
-  void repeat(CallFrame& frame);
   Go alarm();
   Go stopAtAlarm();
-  Go finish(const std::string& code, ProgramEnd end);
   /// To block N`block` of the frame's text; looks for it from line index `from` on, then from the start.
   bool jump(CallFrame& frame, std::int64_t block, std::size_t from = 0);
   void warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from);
@@ -115,14 +125,18 @@ class IsoControl {
   ControlSettings settings_;
   IsoContext context_;
   std::unique_ptr<SystemVariables> system_variables_;
+  RunLoop<CallFrame> run_;
   LoopWatch loop_;
   LoopBudget loop_budget_;
   Lexer lexer_;
   TapeFrames tape_;
-  SubprogramWords subprograms_;                                ///< of the block in hand
-  InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;  ///< of the block in hand
-  CallFrame interrupt_frame_;                                  ///< with kOn
-  bool until_hit_ = false;
+  SubprogramWords subprograms_;                                     ///< of the block in hand
+  InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;       ///< of the block in hand
+  CallFrame interrupt_frame_;                                       ///< with kOn
+  MacroCall macro_call_;                                            ///< of the block in hand
+  bool calls_macro_ = false;                                        ///< it is one
+  CallKind leaves_ = CallKind::kMain;                               ///< kind of the program that returns
+  bool repeats_ = false;                                            ///< it is run again
   std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
   std::set<std::uint32_t> no_return_told_;                          ///< by file
 };

@@ -31,7 +31,7 @@ constexpr std::size_t kMaxFileArgument = 60;
 
 }  // namespace
 
-IsoControl::Go IsoControl::flow(const BlockPlan& plan) {
+Go IsoControl::flow(const BlockPlan& plan) {
   IsoContext& c = context_;
   if (plan.flow->code == mcode::kCall) return call();
   FlowRequest request;
@@ -45,7 +45,7 @@ IsoControl::Go IsoControl::flow(const BlockPlan& plan) {
   return Go::kOn;
 }
 
-IsoControl::Go IsoControl::flow(const FlowRequest& request) {
+Go IsoControl::flow(const FlowRequest& request) {
   const SourceText& text = *context_.calls.top().text;
   const bool returns = request.code == mcode::kReturn;
   // Behind M99 the text goes on wherever something jumps to; it may be asked very often.
@@ -55,32 +55,28 @@ IsoControl::Go IsoControl::flow(const FlowRequest& request) {
   }
   if (returns) return returnFrom(request);
   countPart(context_, request.code);
-  return finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
+  return run_.finish(fmt::format("M{}", request.code), ProgramEnd::kEndOfProgram);
 }
 
-IsoControl::Go IsoControl::finish(const std::string& code, ProgramEnd end) {
+bool IsoControl::flush(ProgramEnd /*end*/) {
   IsoContext& c = context_;
-  summary_.end = end;
-  if (!c.pipe.flush(FlushReason::kEnd) || !endOutput(c)) return stopAtAlarm();
+  if (!c.pipe.flush(FlushReason::kEnd) || !endOutput(c)) return false;
   c.state.automatic = {};
-  if (c.settings.until && !until_hit_) {
-    c.fail("until", "the program ends here; the block to stop after was not reached");
-    return stopAtAlarm();
-  }
-  c.emitter.event(event::End{code}, 0.0, c.here());
-  if (end == ProgramEnd::kEndOfProgram && code != "M99") resetAtEnd(c);
-  return Go::kStop;
+  return true;
 }
 
-IsoControl::Go IsoControl::stopAtAlarm() {
+void IsoControl::sendEnd(const std::string& code) {
+  IsoContext& c = context_;
+  c.emitter.event(event::End{code}, 0.0, c.here());
+  if (summary_.end == ProgramEnd::kEndOfProgram && code != "M99") resetAtEnd(c);
+}
+
+Go IsoControl::stopAtAlarm() {
   summary_.end = ProgramEnd::kAlarm;
   return Go::kStop;
 }
 
-IsoControl::Go IsoControl::alarm() {
-  const bool told_whole = !context_.calls.empty() && !mayBeProgram(*context_.calls.top().text);
-  return summary_.errors < context_.settings.max_errors && !told_whole ? Go::kOn : stopAtAlarm();
-}
+Go IsoControl::alarm() { return run_.failed(); }
 
 namespace {
 
@@ -132,7 +128,7 @@ bool IsoControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
   return takeProgram(c, loaded, frame);
 }
 
-IsoControl::Go IsoControl::call() {
+Go IsoControl::call() {
   IsoContext& c = context_;
   CallFrame frame;
   frame.kind = CallKind::kSubprogram;
@@ -152,7 +148,8 @@ bool IsoControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
                   fmt::format("block N{} not found: {}", block, frame.text->name()));
   }
   if (label.repeated) warnRepeated(frame, block, from);
-  frame.line = static_cast<std::size_t>(label.line_index);
+  frame.next = static_cast<std::size_t>(label.line_index);
+  if (frame.next == 0) tape_.skipLeader(c, frame);
   lexer_.setInComment(false);
   return true;
 }
@@ -176,33 +173,23 @@ bool IsoControl::returnWords(FlowRequest& request) {
   return true;
 }
 
-IsoControl::Go IsoControl::returnFrom(const FlowRequest& request) {
+Go IsoControl::returnFrom(const FlowRequest& request) {
   IsoContext& c = context_;
   CallFrame& frame = c.calls.top();
   if (c.calls.depth() == 1) {
     if (request.block >= 0) return jump(frame, request.block) ? Go::kOn : stopAtAlarm();
     c.warn("main-m99", "M99 in the main program starts it again: one pass is simulated", {}, Severity::kNote);
-    return finish("M99", ProgramEnd::kEndOfProgram);
+    return run_.finish("M99", ProgramEnd::kEndOfProgram);
   }
-  if (request.count >= 0) frame.total = request.count + 1;
+  if (request.count >= 0) frame.call.repetitions = static_cast<int>(request.count) + 1;
   if (request.block >= 0) frame.return_block = request.block;
-  if (++frame.done < frame.total) {
-    repeat(frame);
-    return Go::kOn;
-  }
+  leaves_ = frame.kind;
+  repeats_ = frame.call.repetition + 1 < frame.call.repetitions;
+  if (repeats_) return Go::kReturn;
   const std::int64_t back = frame.return_block;
   if (frame.interrupt && !endInterrupt(back < 0)) return stopAtAlarm();
   if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
-  c.closeCall();
-  return Go::kOn;
-}
-
-/// The program from its start again; a macro with its arguments anew.
-void IsoControl::repeat(CallFrame& frame) {
-  frame.line = 0;
-  if (!opensLocals(frame.kind)) return;
-  context_.variables.leave();
-  context_.variables.enter(frame.args);
+  return Go::kReturn;
 }
 
 }  // namespace proveout::nc

@@ -72,11 +72,11 @@ std::size_t TapeFrames::leaderOf(const SourceText& text) {
 
 void TapeFrames::skipLeader(IsoContext& c, CallFrame& frame) {
   if (frame.text->firstLine() > 0) {  // a program behind another one of its file
-    frame.line = frame.text->firstLine();
+    frame.next = frame.text->firstLine();
     return;
   }
   const std::size_t leader = leaderOf(*frame.text);
-  frame.line = leader;
+  frame.next = leader;
   std::size_t first = leader, block = leader;
   for (std::size_t k = leader; k-- > 0;) {
     const std::string_view line = trimmed(frame.text->lines()[k]);
