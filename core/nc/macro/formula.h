@@ -87,7 +87,10 @@ class FormulaParser {
     ++i;
     return true;
   }
-  void passBlanks() { i = rules_.comments ? skipBlanks(text_, i) : behindBlanks(text_, i); }
+  void passBlanks() {
+    const char c = peek();  // mostly none of them
+    if (isBlank(c) || c == '(') i = rules_.comments ? skipBlanks(text_, i) : behindBlanks(text_, i);
+  }
   bool isNameLetter(char c) const { return rules_.either_case ? isLetter(c) : c >= 'A' && c <= 'Z'; }
   /// Behind the letters from pos() on.
   std::size_t behindLetters() const {
@@ -141,7 +144,7 @@ const FormulaOperator* FormulaParser<Control>::operatorHere() const {
   const char c = upper(peek());
   for (const FormulaOperator& op : language_.operators.from(c)) {
     if (op.text[0] != c) break;
-    if (at(op.text)) return &op;
+    if (op.text.size() == 1 || at(op.text)) return &op;
   }
   return nullptr;
 }
