@@ -123,7 +123,7 @@ class FormulaParser {
   Control& self() { return static_cast<Control&>(*this); }
 
   bool climb(int lowest, Value& out);
-  const FormulaOperator* operatorHere() const;
+  const FormulaOperator* operatorHere();
   bool combine(const FormulaOperator& op, std::size_t entry, std::size_t begin, Value& left,
                const Value& right);
   bool named(Value& out);
@@ -137,16 +137,23 @@ class FormulaParser {
   bool relation(Operation& out);
 
   int bracket_rank_ = rules_.formula_rank;  ///< lowest rank of the operators in brackets
+  std::size_t looked_at_ = std::string_view::npos;
+  const FormulaOperator* here_ = nullptr;  ///< that stands at looked_at_
 };
 
 template <class Control>
-const FormulaOperator* FormulaParser<Control>::operatorHere() const {
+const FormulaOperator* FormulaParser<Control>::operatorHere() {
+  if (i == looked_at_) return here_;  // what ends a product is asked about by the sum as well
+  looked_at_ = i;
+  here_ = nullptr;
   const char c = upper(peek());
   for (const FormulaOperator& op : language_.operators.from(c)) {
     if (op.text[0] != c) break;
-    if (op.text.size() == 1 || at(op.text)) return &op;
+    if (op.text.size() != 1 && !at(op.text)) continue;
+    here_ = &op;
+    break;
   }
-  return nullptr;
+  return here_;
 }
 
 template <class Control>

@@ -15,7 +15,8 @@
 #include <vector>
 
 #include "core/nc/macro/expression.h"
-#include "core/nc/nct/model/alarms.h"
+#include "core/nc/nct/alarms.h"
+#include "core/nc/nct/formulas.h"
 
 namespace proveout::nc {
 namespace {

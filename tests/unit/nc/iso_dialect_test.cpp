@@ -129,9 +129,9 @@ TEST(IsoDialect, SubprogramsStandInTheSameFile) {
       "O0022\nN10 G91 G1 X1. F100.\nM99\n%\n");
   ASSERT_TRUE(ran.summary.ok()) << ran.firstMessage();
   EXPECT_TRUE(ran.end().isApprox(Vec3(3, 7, 0)));
-  ASSERT_EQ(ran.path.motions.size(), 5u);
-  EXPECT_EQ(ran.path.motions[1].source.line, 11u) << "lines count in the file";
-  EXPECT_EQ(ran.path.motions[1].source.block, 10);
+  ASSERT_EQ(ran.path.motions.size(), 4u);
+  EXPECT_EQ(ran.path.motions[0].source.line, 11u) << "lines count in the file";
+  EXPECT_EQ(ran.path.motions[0].source.block, 10);
 }
 
 TEST(IsoDialect, TheMainProgramEndsWhereTheNextBegins) {

@@ -12,6 +12,8 @@
 #include "core/nc/iso/model/offset_tables.h"
 #include "core/nc/iso/program/reset.h"
 #include "core/nc/iso/system_variables/all_banks.h"
+#include "core/nc/iso/system_variables/modal_bank.h"
+#include "core/nc/iso/system_variables/position_bank.h"
 #include "core/nc/nct/dialect.h"
 
 namespace proveout::nc {

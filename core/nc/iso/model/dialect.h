@@ -40,7 +40,7 @@ struct IncrementWords {
 };
 
 struct IsoDialect {
-  std::string_view name;  ///< of the control, "nct"
+  std::string_view name;  ///< of the control
   const AlarmTable& alarms;
   const CodeIndex& codes;
   const ParameterTable& parameters;
