@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "core/geometry/to_float.h"
 
@@ -39,6 +40,7 @@ class BoxTree::Builder {
     tree_.nodes_.resize(boxes_.size());
     Box3 bounds;
     tree_.root_ = build(0, static_cast<std::uint32_t>(boxes_.size()), 0, bounds);
+    PROVEOUT_ASSERT(used_ <= boxes_.size());
     tree_.nodes_.resize(used_);
     tree_.nodes_.shrink_to_fit();
   }
@@ -50,6 +52,7 @@ class BoxTree::Builder {
       return kEmptyLeaf | first << kCountBits | (last - first);
     }
     const std::uint32_t middle = depth < kMaxDepth ? split(first, last) : first + (last - first) / 2;
+    PROVEOUT_ASSERT(first < middle && middle < last);
     const std::uint32_t number = used_++;
     Box3 halves[2];
     std::uint32_t children[2];

@@ -34,6 +34,7 @@ Box3 partBounds(const ConvexProfile& profile, const Motion& /*motion*/, const Bo
 }
 
 const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part) {
+  PROVEOUT_ASSERT(id < path_.motions.size() && part.profile != nullptr && part.solid != nullptr);
   bodies_.clear();
   const Motion& m = path_.motions[id];
   if (m.arc < 0) {
@@ -146,6 +147,7 @@ void BodyMaker::addChords(const Motion& m, const PartUse& part, const SweptField
                        frame.rise != 0.0 && std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm;
   const double wanted = std::min(stacked ? turn / std::ceil(turn / step) : step, sweep);
   const int chords = static_cast<int>(std::clamp(std::ceil(sweep / wanted - 1e-9), 1.0, kMostChords));
+  PROVEOUT_ASSERT(chords >= 1);
   const bool exact = chords < kMostChords;  // else they are longer than wanted
   const double angle = stacked && exact ? wanted : sweep / chords;
   const int per_turn = stacked && exact ? static_cast<int>(std::lround(turn / angle)) : 0;

@@ -1,12 +1,15 @@
 #include "removal/sweep/swept_body.h"
 
+#include <cmath>
 #include <limits>
 
+#include "core/base/assert.h"
 #include "removal/grid/edge_root.h"
 
 namespace proveout {
 
 double searchCut(const SweptField& field, const Vec3& a, const Vec3& direction, double inside) {
+  PROVEOUT_ASSERT_DEAR(std::abs(direction.norm() - 1.0) < 1e-9);
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const auto f = [&](double s) { return field.distance(a + s * direction, kNever); };
   const double at_a = f(0.0), at_inside = f(inside);
@@ -36,6 +39,7 @@ bool SweptBody::holdsEdges(double h, const Vec2& middle, double reach) const {
 }
 
 EdgeCut SweptBody::levelCut(const Vec3& a, double dx, double dy, double inside) const {
+  PROVEOUT_ASSERT_DEAR(std::abs(dx * dx + dy * dy - 1.0) < 1e-9);
   return std::visit([&](const auto& kind) { return kind.levelCut(of_, a, dx, dy, inside); }, kind_);
 }
 
@@ -93,6 +97,7 @@ std::optional<double> SweptBody::ownLength() const {
 }
 
 ToolPlace SweptBody::placeAt(double t) const {
+  PROVEOUT_ASSERT_DEAR(t >= 0.0 && t <= 1.0);
   return std::visit([&](const auto& kind) { return kind.placeAt(t); }, kind_);
 }
 

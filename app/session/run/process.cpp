@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/assert.h"
 #include "core/nc/control/control_info.h"
 
 namespace proveout {
@@ -34,8 +35,10 @@ const Process& processOf(std::string_view control) {
   const auto info =
       std::find_if(all.begin(), all.end(), [&](const ControlInfo& known) { return known.name == control; });
   const ProcessKind kind = info == all.end() ? ProcessKind::kMilling : info->process;
-  return **std::find_if(kProcesses.begin(), kProcesses.end(),
-                        [&](const Process* process) { return process->kind == kind; });
+  const auto row = std::find_if(kProcesses.begin(), kProcesses.end(),
+                                [&](const Process* process) { return process->kind == kind; });
+  PROVEOUT_ASSERT(row != kProcesses.end());
+  return **row;
 }
 
 const Process& processOf(const Job& job, std::size_t setup) {

@@ -110,7 +110,10 @@ class RunLoop {
   /// kCalls; kOn if it is to run no time; kStop: not opened.
   Go call(Frame frame, int times);
   /// To a block of the innermost program.
-  void jump(std::size_t block) { top().next = block; }
+  void jump(std::size_t block) {
+    PROVEOUT_ASSERT(block >= top().first && block <= top().end);
+    top().next = block;
+  }
   /// Behind an error that was reported: `then` while the job allows more of them, else the run stops.
   Go failed(Go then = Go::kNext);
   /// The run ends here: what was kept back goes, then the end.
@@ -140,6 +143,7 @@ class RunLoop {
 
 template <class Frame>
 Go RunLoop<Frame>::push(Frame frame) {
+  PROVEOUT_ASSERT(frame.first <= frame.end);
   frame.next = frame.block = frame.first;
   frame.number = -1;
   frame.run = runs_++;
@@ -156,6 +160,7 @@ Go RunLoop<Frame>::call(Frame frame, int times) {
 
 template <class Frame>
 Go RunLoop<Frame>::returned() {
+  PROVEOUT_ASSERT(frames_.size() > 1);  // the main program ends, it does not return
   Frame frame = std::move(frames_.back());
   frames_.pop_back();
   control_.closed();

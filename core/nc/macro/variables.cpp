@@ -1,8 +1,11 @@
 #include "core/nc/macro/variables.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numbers>
 #include <utility>
+
+#include "core/base/assert.h"
 
 namespace proveout::nc {
 namespace {
@@ -40,6 +43,7 @@ void VariableStore::leave() {
 }
 
 void VariableStore::share(VariableStore& owner, int low, int kept) {
+  PROVEOUT_ASSERT(&owner != this && owner.common_ == nullptr);
   common_ = owner.globals_.data();
   common_low_end_ = kFirstGlobal + low;
   common_kept_end_ = kFirstKept + kept;
@@ -53,6 +57,8 @@ void VariableStore::protect(int first, int last) {
 void VariableStore::addBank(int first, int last, VariableBank& bank) {
   const auto behind = std::upper_bound(banks_.begin(), banks_.end(), first,
                                        [](int number, const Range& range) { return number < range.first; });
+  PROVEOUT_ASSERT(first <= last && (behind == banks_.end() || last < behind->first));
+  PROVEOUT_ASSERT(behind == banks_.begin() || std::prev(behind)->last < first);
   banks_.insert(behind, {first, last, &bank});
 }
 
@@ -60,6 +66,7 @@ void VariableStore::addSymbol(VariableSymbol symbol) {
   const auto at =
       std::lower_bound(symbols_.begin(), symbols_.end(), symbol.name,
                        [](const VariableSymbol& s, const std::string& name) { return s.name < name; });
+  PROVEOUT_ASSERT(at == symbols_.end() || at->name != symbol.name);
   symbols_.insert(at, std::move(symbol));
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 
 /// Spreads the bits of `value` (the finaliser of splitmix64).
@@ -31,6 +33,7 @@ class InternTable {
   }
   /// Adds a value that is not there. Returns its index.
   std::uint32_t add(const T& value, std::uint64_t hash) {
+    PROVEOUT_ASSERT_DEAR(find(value, hash) == kNone);
     if (2 * (values_.size() + 1) > slots_.size()) grow();
     const auto index = static_cast<std::uint32_t>(values_.size());
     values_.push_back(value);

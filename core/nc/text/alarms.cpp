@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "core/base/assert.h"
+
 namespace proveout::nc {
 namespace {
 
@@ -104,6 +106,7 @@ AlarmTable::AlarmTable(std::string_view control, std::initializer_list<Row> rows
 }
 
 void AlarmTable::take(const Row& row) {
+  PROVEOUT_ASSERT(row.alarm < SharedAlarm::kCount && (row.number != 0 || !row.name.empty()));
   const auto at = static_cast<std::size_t>(row.alarm);
   rows_[at] = row;
   codes_[at] = row.number != 0 ? code(row.number) : control_ + "-" + std::string(row.name);

@@ -100,6 +100,7 @@ void IsoContext::closeCall() {
 }
 
 void IsoContext::leftCall(CallKind kind) {
+  PROVEOUT_ASSERT(!calls.empty());
   if (opensLocals(kind)) variables.leave();
   origins.closeCall();
   enterProgram();

@@ -1,7 +1,6 @@
 #include "core/nc/iso/model/offset_tables.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/assert.h"
 
@@ -28,7 +27,7 @@ void OffsetTables::share(OffsetTables& common, int count) {
 }
 
 void OffsetTables::set(OffsetColumn column, int row, bool wear, double mm, std::uint32_t by) {
-  PROVEOUT_ASSERT(row >= 1 && row <= kRows && std::isfinite(mm));
+  PROVEOUT_ASSERT(row >= 1 && row <= kRows);
   Row& cells = at(row);
   OffsetValue& value = cells.values[static_cast<std::size_t>(column)];
   (wear ? value.wear : value.geometry) = mm;

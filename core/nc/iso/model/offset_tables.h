@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/assert.h"
 #include "core/nc/control/control_settings.h"
 
 namespace proveout::nc {
@@ -56,7 +57,10 @@ class OffsetTables {
 
   /// Code of the tip of turning tools, 0 to 9.
   int tip(int row) const { return rowAt(row).tip; }
-  void setTip(int row, int code) { at(row).tip = static_cast<std::uint8_t>(code); }
+  void setTip(int row, int code) {
+    PROVEOUT_ASSERT(row >= 1 && row <= kRows && code >= 0 && code <= 9);
+    at(row).tip = static_cast<std::uint8_t>(code);
+  }
 
  private:
   struct Row {

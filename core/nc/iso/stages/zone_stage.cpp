@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/nc/iso/parameters/safety.h"
 
 namespace proveout::nc {
@@ -193,6 +194,7 @@ std::string ZoneStage::axisName(const ZoneHit& hit) const {
 
 /// The alarm, and with `moves` the motion up to it. Always false.
 bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, bool moves) {
+  PROVEOUT_ASSERT(found.watched < watched_.size() && found.alarm != SharedAlarm::kCount);
   const Watched watched = watched_[found.watched];
   const std::string message = c_.alarms.table().message(found.alarm, axisName(found.hit));
   const int number = c_.alarms.table().number(found.alarm);
