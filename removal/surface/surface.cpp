@@ -25,14 +25,14 @@ namespace {
 /// Part of the tolerance that the heights of a merged patch may take: a triangle between the middles of
 /// patches leaves the surface as much as each patch leaves its plane, and normals turn in between.
 constexpr double kFlatnessShare = 0.5;
-/// Part of it that edges between the vertices may be cut off by.
+/// Part of it by which feature edges between the vertices may be cut off.
 constexpr double kSharpShare = 0.5;
 constexpr double kDefaultTolerance = 0.1;  ///< of the grid spacing
 /// Part of the tolerance that merging cells may take. The rest is for the mesh made of them, and all of it
 /// where nothing was merged.
 constexpr double kMergingShare = 0.5;
-/// Where a finished mesh runs through itself, all is looked at within so many cells, and what is found is
-/// parted, so many times; at the last it is not simplified.
+/// Where a finished mesh intersects itself, all triangles within kDoubtCells are checked and parted when it
+/// is made again, in at most kDoubtRounds; in the last one it is not simplified.
 constexpr double kDoubtCells = 2.0;
 constexpr int kDoubtRounds = 5;
 
@@ -46,7 +46,7 @@ Result<SurfaceGrid> placedCells(const Stock::Impl& impl, double flatness, Progre
   SurfaceGrid grid(impl, flatness);
   if (!grid.build(progress)) return gridHole();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
-  unfoldVertices(grid);
+  repairFolds(grid);
   PROVEOUT_ASSERT_DEAR(verticesInReach(grid));
   return grid;
 }
@@ -86,7 +86,8 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   return surface;
 }
 
-/// Fewer triangles of the finished mesh, and the places where it runs through itself still. Error: cancelled.
+/// Simplifies the finished mesh and adds the places where it still intersects itself to `doubts`. Error:
+/// cancelled.
 Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged, double tolerance_mm,
                   double cell_mm, std::vector<Box3>& doubts, Progress& progress) {
   if (surface.mesh.triangles.empty()) return Done{};
@@ -109,7 +110,8 @@ Status finishMesh(StockSurface& surface, const std::vector<std::uint8_t>& merged
   return Done{};
 }
 
-/// The mesh that is not simplified tells all of what simplifying it may stumble over.
+/// Meshes again, looking at all around the places where the mesh intersects itself, until there are none; the
+/// last round is not simplified.
 Result<StockSurface> finishedSurface(const Stock::Impl& impl, double tolerance, Progress& progress) {
   std::vector<Box3> doubts;
   for (int round = 1;; ++round) {
@@ -131,7 +133,7 @@ double toleranceOf(const Stock::Impl& impl, const SurfaceOptions& options) {
 
 Result<StockSurface> extractSurface(const Stock::Impl& impl, const SurfaceOptions& options,
                                     Progress& progress) {
-  // A crossing each has two triangles at most, and vertices fewer: far from what 31 bits can number.
+  // Each crossing makes two triangles at most, and fewer vertices: far from what 31 bits can number.
   std::size_t crossings = 0;
   for (const StockLeaf& leaf : impl.leaves) crossings += leaf.crossings.size();
   if (crossings > 0x60000000u) {
@@ -158,7 +160,7 @@ Result<StockSurface> Stock::surface(const SurfaceOptions& options, Progress& pro
 Result<StockVolume> Stock::volume(const SurfaceOptions& options, Progress& progress) const {
   const ThreadLimit limit(options.threads);
   try {
-    // Which cells may be merged is not asked: the volume does not depend on it.
+    // Without merging: the volume does not depend on it.
     const Result<SurfaceGrid> grid = placedCells(*impl_, 0.0, progress);
     if (!grid.ok()) return grid.error();
     Result<StockVolume> volume = measureVolume(*grid, progress);

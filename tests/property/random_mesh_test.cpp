@@ -195,7 +195,7 @@ INSTANTIATE_TEST_SUITE_P(Programs, FoldedMesh,
                          testing::Values(379, 896, 1127, 1398, 1449, 100193, 100220, 100366, 100394, 100485));
 
 /// Programs whose lean mesh was up to half a cell off the one of all cells at thin walls: merged triangles
-/// around them, and bulging quads that were not made fans, made that what was mended in the one was walled in
+/// around them, and bulging quads that were not made fans, made that what was repaired in the one was walled in
 /// in the other.
 class PartedMesh : public testing::TestWithParam<int> {};
 

@@ -9,18 +9,21 @@ namespace proveout {
 
 namespace {
 
-/// Directions in which the tangent planes fix a point worse than this (relative) are left as they are.
+/// Directions in which the tangent planes determine a point worse than this (relative eigenvalue) are left
+/// free.
 constexpr double kRankTolerance = 1e-3;
-/// The same of two planes alone, which meet from 1.8 degrees on: faces that lean less are one smooth surface
-/// anyhow. With the above, from 3.6 degrees on, a vertex between two cones lay half way between them, 3
-/// micrometres off both.
+/// The same for two planes alone: they meet from 1.8 degrees on; faces that lean less are one smooth surface
+/// anyhow. With the value above they would meet from 3.6 degrees on only, and a vertex between two cones lay
+/// half way between them, 3 micrometres off both.
 constexpr double kPairTolerance = 2.5e-4;
-/// Normals of a face that differ by less than this leave it flat: 0.2 degrees over a cell bend a plane by
-/// less than 1e-3 cells.
+/// A face whose normals differ by less than this counts as flat: 0.2 degrees over a cell bend it by less
+/// than 1e-3 cells.
 constexpr double kFlatSpread = 3.5e-3;
-/// Curvatures that the crossings leave open stay at zero; relative to what they fix.
+/// Weight that keeps curvatures at zero where the crossings leave them open, relative to what they
+/// determine.
 constexpr double kOpenCurvature = 1e-3;
-/// Crossings show how a face bends across their line if they are off it by a seventh of their distances.
+/// Crossings show how a face bends across their line only if they are off it by a seventh of their
+/// distances.
 constexpr double kSpreadAcross = 0.02;
 
 bool belongs(const SheetPoint& s, const CellFace& f) {

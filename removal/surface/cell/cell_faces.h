@@ -38,21 +38,21 @@ struct Plane {
 };
 
 /// Sorts the crossings into faces; returns how many. Crossings of one SheetPoint::face whose normals differ
-/// by more than the angle of `same_cos` belong to different ones. Curvatures are not found yet.
+/// by more than the angle of `same_cos` belong to different ones. Does not find curvatures.
 int collectFaces(std::span<const SheetPoint> points, double same_cos, Faces& faces);
-/// Crossings of one face differ by less than 60 degrees.
+/// Normals of one face differ by less than 60 degrees (cosine).
 inline constexpr double kSameFaceCos = 0.5;
-/// The face's curvature from the differences of its normals, by least squares.
+/// Sets the face's curvature from the differences of its normals, by least squares.
 void findCurvature(std::span<const SheetPoint> points, CellFace& face);
 /// Height of `m` along `n` above the surface through the points of one face, or of all (null).
 double heightAbove(std::span<const SheetPoint> points, const Vec3& m, const Vec3& n, const CellFace* face);
 /// The plane that touches the face's quadratic surface above `x`, near `x`.
 Plane planeAt(const CellFace& face, const Vec3& x);
 
-/// The smallest step that minimises the distances to planes near one point, using directions in which they
-/// fix it.
+/// The smallest step that minimises the distances to planes near one point, only in directions in which the
+/// planes determine it.
 Vec3 meetAny(std::span<const Plane> planes);
-/// The same, by closed form where two or three planes meet well.
+/// The same, in closed form where two or three planes meet at a sufficient angle.
 Vec3 meetPlanes(std::span<const Plane> planes);
 
 /// Vertices stay this far inside their cell, so that those of neighbours never coincide, also as floats.

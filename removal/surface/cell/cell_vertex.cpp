@@ -14,43 +14,46 @@ namespace proveout {
 
 namespace {
 
-/// Faces whose normals differ by less than this are one smooth surface in a cell (2 degrees): a ridge so flat
-/// is under a hundredth of a cell high.
+/// Faces whose normals differ by less than this (2 degrees) count as one smooth surface in a cell: such a
+/// flat ridge is less than a hundredth of a cell high.
 const double kSmoothCos = std::cos(degToRad(2.0));
-/// Pull towards the mean where the planes leave a direction free; biases the vertex by less than 1e-4 cells
-/// at creases of more than 10 degrees.
+/// Pull towards the mean where the planes leave a direction free. It biases the vertex by less than 1e-4
+/// cells at feature edges of more than 10 degrees.
 constexpr double kNearness = 1e-6;
 
-/// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: where they meet farther
-/// outside than the slack (in cells) is uncertain, and cutting the ridge between neighbours costs little.
+/// Faces that meet at less than 40 degrees, as scallops do, are mostly curved: a feature edge farther
+/// outside the cell than the slack (in cells) is uncertain, and cutting the ridge between neighbours costs
+/// little.
 const double kSoftCos = std::cos(degToRad(40.0));
-/// The same of faces that are known to bend little: the ridge along a shallow groove, cut in every cell,
-/// would cost 1e-4 of its volume.
+/// The same for faces known to bend little: cutting the ridge along a shallow groove in every cell would
+/// cost 1e-4 of its volume.
 const double kSoftCosOfFlat = std::cos(degToRad(10.0));
 constexpr double kOutsideSlack = 0.05;
 
 /// How far vertices may be off the blank, in cells: at a wall of the cell, and on a chord below a sharp edge.
 constexpr double kNearBy = 0.2, kFarOff = 0.7;
 
-/// Normals of a sphere or round cylinder are within 72 degrees of their mean: it is smooth, however small.
+/// Normals of a sphere or round cylinder are within 72 degrees (cosine) of their mean: however small it is,
+/// it is smooth.
 constexpr double kFacesAlong = 0.3;
 
 /// Normals of one face that differ by more than 25 degrees may be those of two planes.
 constexpr double kBentCos = 0.906;
-/// How far crossings are off a body that they are on (in cells), and how near to its normal theirs are there
-/// (0.8 degrees).
+/// How far crossings may be off a body that they are on (in cells), and how near their normals are to its
+/// own there (0.8 degrees, cosine).
 constexpr double kOnBody = 1e-3, kAsBody = 0.9999;
-/// Crossings are farther than this (in cells) behind each other's tangent planes across a ridge. What a tool
-/// leaves at the inner side of an arc turns less within a cell.
+/// Across a ridge, crossings are farther than this (in cells) behind each other's tangent planes. The inner
+/// side of an arc turns less within a cell.
 constexpr double kRidge = 0.1;
-/// Spread of the normals about an apex, and how near its tangent planes come to it (in cells).
+/// Least spread of the normals about an apex (cosine), and how near its tangent planes must come to it (in
+/// cells).
 const double kApexCos = std::cos(degToRad(30.0));
 constexpr double kApexMiss = 2e-3;
-/// Normals within 2.5 degrees are of one direction.
+/// Normals within 2.5 degrees (cosine) count as one direction.
 constexpr double kOneDirection = 0.999;
 
 /// Whether no two faces meet at more than the angle of this cosine.
-bool alike(std::span<const CellFace> faces, double cosine) {
+bool areAlike(std::span<const CellFace> faces, double cosine) {
   for (std::size_t i = 1; i < faces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (faces[i].normal.dot(faces[j].normal) < cosine) return false;
@@ -59,9 +62,9 @@ bool alike(std::span<const CellFace> faces, double cosine) {
   return true;
 }
 
-/// Point of the cell that minimises the distances to the faces' planes; where they leave it free, the one
-/// nearest to `from`. Each coordinate is free or at a wall; the best of the 27 cases that stays inside is the
-/// minimum, since the function is convex.
+/// The point of the cell that minimises the distances to the faces' planes; where they leave it free, the
+/// one nearest to `from`. Each coordinate is free or at a wall; since the function is convex, the best of
+/// the 27 cases that stay inside is the minimum.
 Vec3 meetPlanesInside(std::span<const Plane> planes, const Vec3& from) {
   Eigen::Matrix3d a = Eigen::Matrix3d::Identity() * kNearness;
   Vec3 b = Vec3::Zero();
@@ -90,9 +93,9 @@ Vec3 meetPlanesInside(std::span<const Plane> planes, const Vec3& from) {
   return best;
 }
 
-/// The face of two on which the surface lies above or below `mean`: the lower one on a ridge, the higher one
-/// in a valley. Always on the surface, off the crease.
-Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& n) {
+/// The point of the surface above or below `mean`, on the face of two that forms it there: the lower one on
+/// a ridge, the higher one in a valley. On the surface, beside the feature edge.
+Vec3 besideFeatureEdge(std::span<const CellFace> faces, const Vec3& mean, const Vec3& n) {
   const CellFace &a = faces[0], &b = faces[1];
   const Vec3 between = b.point - a.point;
   const bool ridge = between.dot(a.normal) - between.dot(b.normal) < 0.0;
@@ -106,7 +109,7 @@ Vec3 besideCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3&
   return mean + n * (ridge ? std::min(up[0], up[1]) : std::max(up[0], up[1]));
 }
 
-/// In how many directions their normals point.
+/// In how many directions the normals point.
 int directionsOf(std::span<const SheetPoint> points) {
   int count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -116,8 +119,8 @@ int directionsOf(std::span<const SheetPoint> points) {
   return count;
 }
 
-/// The point where the tangent planes of one face, or four and more of several, meet, if they lean widely and
-/// do meet in one.
+/// The apex: the point where the tangent planes of one face, or at least four of several faces, meet. False
+/// unless they lean widely and do meet in one point.
 bool findApex(std::span<const SheetPoint> points, const Vec3& mean, Vec3& apex) {
   double least = 1.0;
   std::array<Plane, 12> planes;
@@ -151,25 +154,25 @@ CellVertex smoothVertex(std::span<const SheetPoint> points, const Vec3& mean, co
   const Vec3 n = sum / length;
   out.p = out.inside = clampToCell(mean - n * heightAbove(points, mean, n, nullptr));
   if (refiner == nullptr || !refiner->needed(true)) return out;
-  if (refiner->toSurface(n, 0.0, out.p)) {
-    refiner->toBorder(out.p);
-    refiner->toEnd(points, out.p);
+  if (refiner->snapToSurface(n, 0.0, out.p)) {
+    refiner->snapToSeam(out.p);
+    refiner->snapToSweepEnd(points, out.p);
     out.inside = out.p;
     return out;
   }
-  // The surface bows out of the cell between its crossings.
+  // The surface bulges out of the cell between its crossings.
   out.inside = out.p;
-  out.outside = refiner->toSurface(n, kOutsideSlack, out.p);
+  out.outside = refiner->snapToSurface(n, kOutsideSlack, out.p);
   if (!out.outside) {
     Vec3 onto = out.inside;
-    refiner->ontoNearest(n, onto);
+    refiner->snapToNearestBody(n, onto);
     if (outsideBy(onto) <= -kWallGap) out.inside = onto;
     out.p = out.inside;
   }
   return out;
 }
 
-/// Makes quadratic surfaces of the faces.
+/// Fits quadratic surfaces to the faces.
 void findSurfaces(std::span<const SheetPoint> points, std::span<CellFace> faces) {
   for (CellFace& f : faces) {  // tangent planes touch the surface, not the chord
     if (f.count > 1) f.point -= f.normal * heightAbove(points, f.point, f.normal, &f);
@@ -177,8 +180,8 @@ void findSurfaces(std::span<const SheetPoint> points, std::span<CellFace> faces)
   }
 }
 
-/// Where the faces' surfaces meet nearest to `start`.
-Vec3 creaseNear(std::span<const CellFace> faces, const Vec3& start) {
+/// The feature edge or corner nearest to `start`: where the faces' surfaces meet.
+Vec3 featureNear(std::span<const CellFace> faces, const Vec3& start) {
   const bool curved = std::any_of(faces.begin(), faces.end(), [](const CellFace& f) { return f.curved; });
   Vec3 x = start;
   std::array<Plane, 12> planes;
@@ -190,17 +193,17 @@ Vec3 creaseNear(std::span<const CellFace> faces, const Vec3& start) {
   return x;
 }
 
-/// The vertex of a cell whose crease or corner lies outside.
-Vec3 insteadOfCrease(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum) {
-  if (faces.size() == 2) return clampToCell(besideCrease(faces, mean, sum.normalized()));
+/// The vertex inside a cell whose feature edge or corner lies outside.
+Vec3 vertexWithoutFeature(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum) {
+  if (faces.size() == 2) return clampToCell(besideFeatureEdge(faces, mean, sum.normalized()));
   std::array<Plane, 12> planes;
   for (std::size_t i = 0; i < faces.size(); ++i) planes[i] = planeAt(faces[i], mean);
   return clampToCell(meetPlanesInside({planes.data(), faces.size()}, mean));
 }
 
-/// The place in the cell that is nearest to `x`, close beside it: on the crease of two faces through `x`, if
-/// that comes into the cell.
-Vec3 besideOutside(std::span<const CellFace> faces, const Vec3& x) {
+/// The point of the cell nearest to `x`, which is just outside: on the feature edge of two faces through
+/// `x`, if that comes into the cell.
+Vec3 slideIntoCell(std::span<const CellFace> faces, const Vec3& x) {
   if (faces.size() != 2) return clampToCell(x);
   const Vec3 along = planeAt(faces[0], x).n.cross(planeAt(faces[1], x).n);
   double from = -1.0 / kWallGap, to = 1.0 / kWallGap;
@@ -212,8 +215,8 @@ Vec3 besideOutside(std::span<const CellFace> faces, const Vec3& x) {
   return clampToCell(from <= to ? Vec3(x + std::clamp(0.0, from, to) * along) : x);
 }
 
-/// Whether no normal of a round face points against their sum, as those of the two sides of a narrow cut do.
-bool turnsGently(std::span<const SheetPoint> points, const Vec3& sum) {
+/// Whether no normal of a round face is opposed to their sum, as between the two sides of a narrow cut.
+bool hasNoOpposedNormals(std::span<const SheetPoint> points, const Vec3& sum) {
   const double least = kFacesAlong * sum.norm();
   return std::all_of(points.begin(), points.end(), [&](const SheetPoint& s) { return s.n.dot(sum) > least; });
 }
@@ -225,13 +228,13 @@ bool spanSpace(std::span<const SheetPoint> points) {
   return m.determinant() > 1e-3;
 }
 
-/// The vertex at an apex. Outside, it is this cell's only if it pokes through one wall: into a cell that does
-/// not see it.
+/// The vertex at an apex. An apex outside belongs to this cell only if it stands out through a single wall,
+/// into a cell that does not see it.
 CellVertex apexVertex(std::span<const SheetPoint> points, const Vec3& mean, const Vec3& sum,
                       VertexRefiner* refiner, const Vec3& apex) {
   CellVertex out;
   out.p = apex;
-  if (refiner != nullptr && refiner->needed(false)) refiner->toCrease(out.p);
+  if (refiner != nullptr && refiner->needed(false)) refiner->snapToFeature(out.p);
   const Vec3 kept = clampToCell(out.p);
   const int walls = static_cast<int>((kept.array() != out.p.array()).count());
   out.outside = walls == 1;
@@ -240,19 +243,20 @@ CellVertex apexVertex(std::span<const SheetPoint> points, const Vec3& mean, cons
   return out;
 }
 
-/// Whether faces meet so gently that it is uncertain where.
-bool isUncertain(std::span<const CellFace> faces, VertexRefiner* refiner, const Vec3& x) {
-  if (!alike(faces, kSoftCos)) return false;
-  return alike(faces, kSoftCosOfFlat) || refiner == nullptr || !refiner->meetFlat(x);
+/// Whether faces meet at such a shallow angle that the place of their feature edge is uncertain.
+bool isFeatureUncertain(std::span<const CellFace> faces, VertexRefiner* refiner, const Vec3& x) {
+  if (!areAlike(faces, kSoftCos)) return false;
+  return areAlike(faces, kSoftCosOfFlat) || refiner == nullptr || !refiner->meetAsPlanes(x);
 }
 
-/// The vertex of a cell whose crease or corner is at `x`, in the cell or not. `certain`: it was found there.
-CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
-                        VertexRefiner* refiner, const Vec3& x, bool certain) {
+/// The vertex of a cell whose feature edge or corner is at `x`, in the cell or not. `certain`: it was found
+/// on the bodies.
+CellVertex featureVertex(std::span<const CellFace> faces, const Vec3& mean, const Vec3& sum,
+                         VertexRefiner* refiner, const Vec3& x, bool certain) {
   CellVertex out;
   if (refiner != nullptr && refiner->isOffBlank(x)) {
     out.p = clampToCell(mean);
-    refiner->toBlank(sum.normalized(), kFarOff, out.p);
+    refiner->snapToBlank(sum.normalized(), kFarOff, out.p);
     out.inside = out.p;
     return out;
   }
@@ -262,30 +266,32 @@ CellVertex creaseVertex(std::span<const CellFace> faces, const Vec3& mean, const
     return out;
   }
   const bool refine = refiner != nullptr && refiner->needed(false);
-  out.inside = beyond < kOutsideSlack ? besideOutside(faces, x) : insteadOfCrease(faces, mean, sum);
+  out.inside = beyond < kOutsideSlack ? slideIntoCell(faces, x) : vertexWithoutFeature(faces, mean, sum);
   if (refine && beyond > (refiner->bends() ? kWallGap : kOutsideSlack))
-    refiner->toSurface(sum.normalized(), 0.0, out.inside);
-  if (refiner != nullptr) refiner->toBlank(sum.normalized(), kNearBy, out.inside);
-  const double reach =
-      beyond > kOutsideSlack && !certain && isUncertain(faces, refiner, x) ? kOutsideSlack : kVertexReach;
+    refiner->snapToSurface(sum.normalized(), 0.0, out.inside);
+  if (refiner != nullptr) refiner->snapToBlank(sum.normalized(), kNearBy, out.inside);
+  const double reach = beyond > kOutsideSlack && !certain && isFeatureUncertain(faces, refiner, x)
+                           ? kOutsideSlack
+                           : kVertexReach;
   out.outside = beyond <= reach;
   out.p = out.outside ? x : out.inside;
   return out;
 }
 
-/// Whether a crossing is on a body, too, and faces as it does there.
-bool isOn(const SheetPoint& s, std::int64_t body, ExactFaces& exact) {
-  const ExactFaces::Foot foot = exact.foot(body, s.p - ExactFaces::kLookFrom * s.n);
+/// Whether a crossing is on this body as well, with the same normal.
+bool isOnBody(const SheetPoint& s, std::int64_t body, ExactFaces& exact) {
+  const ExactFaces::Foot foot = exact.foot(body, s.p - ExactFaces::kProbeDepth * s.n);
   return (foot.p - s.p).squaredNorm() < kOnBody * kOnBody && foot.normal.dot(s.n) > kAsBody;
 }
 
 /// The same of all crossings of `face`.
-bool isAllOn(std::span<const SheetPoint> points, std::uint64_t face, std::int64_t body, ExactFaces& exact) {
+bool areAllOnBody(std::span<const SheetPoint> points, std::uint64_t face, std::int64_t body,
+                  ExactFaces& exact) {
   return std::ranges::all_of(points,
-                             [&](const SheetPoint& s) { return s.face != face || isOn(s, body, exact); });
+                             [&](const SheetPoint& s) { return s.face != face || isOnBody(s, body, exact); });
 }
 
-/// Whether the material stands out between crossings of two faces, as it does nowhere on a convex tool.
+/// Whether the material forms a ridge between crossings of two faces, which one convex tool never leaves.
 bool meetInRidge(std::span<const SheetPoint> points, std::uint64_t face, std::uint64_t other) {
   const auto isBehind = [&](const SheetPoint& a, const SheetPoint& b) {
     return a.face == face && b.face == other && (b.p - a.p).dot(a.n) < -kRidge &&
@@ -296,44 +302,44 @@ bool meetInRidge(std::span<const SheetPoint> points, std::uint64_t face, std::ui
   });
 }
 
-/// Whether the crossings of the first face count as of the second one, which shows better what both are part
-/// of: elements of one body that go over into each other; or what a tool left where it set out, which is on
-/// what it swept from there, too.
-bool isPartOf(std::span<const SheetPoint> points, std::uint64_t face, std::uint64_t other,
-              ExactFaces& exact) {
+/// Whether the crossings of the first face count as those of the second, which shows better what both are
+/// part of: tangent neighbours of one body; or what a tool left at its start, which also lies on what it
+/// swept from there.
+bool isMergedInto(std::span<const SheetPoint> points, std::uint64_t face, std::uint64_t other,
+                  ExactFaces& exact) {
   const ExactFaces::Source of = exact.source(face), to = exact.source(other);
   if (to.isShown()) return false;
-  if (exact.goOver(face, other)) return !to.simple || (of.simple && to.bend >= of.bend);
+  if (exact.areTangentNeighbours(face, other)) return !to.simple || (of.simple && to.bend >= of.bend);
   return exact.areOfOneCone(face, other) && !meetInRidge(points, face, other) &&
-         isAllOn(points, face, to.body, exact);
+         areAllOnBody(points, face, to.body, exact);
 }
 
-/// A body alone keeps its elements apart: how much they bend, which the volume asks for, changes from one to
-/// the other.
+/// With one body alone its elements stay apart: the volume asks for their curvature, which changes from one
+/// to the other.
 bool isOfSeveralBodies(std::span<const SheetPoint> points, ExactFaces& exact) {
   const std::int64_t body = exact.source(points[0].face).body;
   return !std::ranges::all_of(points, [&](auto& s) { return exact.source(s.face).body == body; });
 }
 
-/// Counts the crossings of each face that is part of another as of that one. False where none is.
-bool joinFaces(std::span<SheetPoint> points, ExactFaces& exact) {
-  bool joined = false;
+/// Merges each face that is part of another into that one, by renaming its crossings. False where none is.
+bool mergeBlendedFaces(std::span<SheetPoint> points, ExactFaces& exact) {
+  bool merged = false;
   for (std::size_t i = 1; i < points.size(); ++i) {
     for (std::size_t j = 0; j < i && points[j].face != points[i].face; ++j) {
       const std::uint64_t a = points[i].face, b = points[j].face;
-      const bool first = isPartOf(points, a, b, exact);
-      if (!first && !isPartOf(points, b, a, exact)) continue;
+      const bool first = isMergedInto(points, a, b, exact);
+      if (!first && !isMergedInto(points, b, a, exact)) continue;
       for (SheetPoint& s : points) {
         if (s.face == (first ? a : b)) s.face = first ? b : a;
       }
-      joined = true;
+      merged = true;
     }
   }
-  return joined;
+  return merged;
 }
 
-/// As placeVertex. `joined`: faces were joined; none if they do not meet so.
-std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joined, ExactFaces* exact) {
+/// As placeVertex. `merged`: faces were merged; then none if the merged faces do not meet.
+std::optional<CellVertex> placeFromFaces(std::span<const SheetPoint> points, bool merged, ExactFaces* exact) {
   Vec3 mean = Vec3::Zero(), sum = Vec3::Zero();
   for (const SheetPoint& s : points) {
     mean += s.p;
@@ -344,11 +350,11 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
   const bool one_face =
       std::all_of(points.begin(), points.end(), [&](auto& s) { return s.face == points[0].face; });
   const bool known = exact != nullptr && exact->active();
-  // Where its body is known, that tells whether one face bends or breaks. Faces of bodies that are not known
-  // are read alike before and after a path that does not reach them.
+  // Where its body is known, that says whether one face bends or breaks. Faces of unknown bodies must be
+  // read the same before and after a path that does not reach them.
   const bool body_tells = known && one_face && exact->source(points[0].face).body != ExactFaces::kNoBody;
   const bool round =
-      !joined && body_tells && exact->source(points[0].face).bend > 0.0 && turnsGently(points, sum);
+      !merged && body_tells && exact->source(points[0].face).bend > 0.0 && hasNoOpposedNormals(points, sum);
   const int count = collectFaces(points, round ? -1.0 : body_tells ? kBentCos : kSameFaceCos, all);
   const std::span<CellFace> faces(all.data(), static_cast<std::size_t>(count));
   std::optional<VertexRefiner> exactly;
@@ -357,46 +363,47 @@ std::optional<CellVertex> placeOn(std::span<const SheetPoint> points, bool joine
   Vec3 apex;
   if (!round && spanSpace(points) && findApex(points, mean, apex))
     return apexVertex(points, mean, sum, refiner, apex);
-  if (count == 1 || alike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
+  if (count == 1 || areAlike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);
-  Vec3 x = creaseNear(faces, mean);
-  const bool refine = refiner != nullptr && (refiner->needed(false) || refiner->isPastEnd(x));
+  Vec3 x = featureNear(faces, mean);
+  const bool refine = refiner != nullptr && (refiner->needed(false) || refiner->isBeyondTrim(x));
   if (refine && refiner->isSmooth(x)) return smoothVertex(points, mean, sum, refiner);
-  const bool found = refine && outsideBy(x) <= kVertexReach && refiner->toCrease(x);
+  const bool found = refine && outsideBy(x) <= kVertexReach && refiner->snapToFeature(x);
   if (refine && !found && outsideBy(x) <= kVertexReach) {
-    // Beside an apex, where a face turns as if it broke; or where faces of several bodies do not break.
-    if (joined) return std::nullopt;
+    // Either beside an apex, where a face turns as if it broke; or faces of several bodies that blend.
+    if (merged) return std::nullopt;
     if (one_face) return smoothVertex(points, mean, sum, refiner);
-    refiner->ontoNearest(sum.normalized(), x);
+    refiner->snapToNearestBody(sum.normalized(), x);
   }
-  CellVertex out = creaseVertex(faces, mean, sum, refiner, x, found);
-  if (found && out.p == x) out.along = refiner->alongCrease(x).value_or(Vec3::Zero());
+  CellVertex out = featureVertex(faces, mean, sum, refiner, x, found);
+  if (found && out.p == x) out.along = refiner->featureEdgeDirection(x).value_or(Vec3::Zero());
   return out;
 }
 
-/// The vertex in an upright wall where what a body left in passing goes over into what it left where its way
-/// began or ended, and others going down or coming up there. None where there is no such place in the cell.
-std::optional<CellVertex> placeAtEnd(std::span<const SheetPoint> points, ExactFaces& exact) {
+/// The vertex in an upright wall at the end of a sweep: on the seam between what a body swept in passing and
+/// the round where its motion began or ended, where other bodies may go down or come up. None where the cell
+/// has no such place.
+std::optional<CellVertex> placeAtSweepEnd(std::span<const SheetPoint> points, ExactFaces& exact) {
   const std::uint64_t first = points[0].face;
   if (!std::ranges::all_of(points, [&](auto& s) { return exact.areOfOneCylinder(first, s.face); }))
     return std::nullopt;
   const auto holdsAll = [&](std::uint64_t face) {
     const std::int64_t body = exact.source(face).body;
-    return std::ranges::all_of(points, [&](auto& s) { return s.face == face || isOn(s, body, exact); });
+    return std::ranges::all_of(points, [&](auto& s) { return s.face == face || isOnBody(s, body, exact); });
   };
-  std::array<SheetPoint, 12> joined;
-  std::copy(points.begin(), points.end(), joined.begin());
+  std::array<SheetPoint, 12> merged;
+  std::copy(points.begin(), points.end(), merged.begin());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0 && points[i].face == points[i - 1].face) continue;
     if (!holdsAll(points[i].face)) continue;
-    for (std::size_t k = 0; k < points.size(); ++k) joined[k].face = points[i].face;
-    const std::span<const SheetPoint> all(joined.data(), points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) merged[k].face = points[i].face;
+    const std::span<const SheetPoint> all(merged.data(), points.size());
     Faces faces;
     collectFaces(all, -1.0, faces);
     CellVertex out;
     out.smooth = true;
     out.p = faces[0].point;
-    if (!VertexRefiner(exact, {faces.data(), 1}).toEnd(all, out.p)) continue;
+    if (!VertexRefiner(exact, {faces.data(), 1}).snapToSweepEnd(all, out.p)) continue;
     out.inside = out.p;
     return out;
   }
@@ -407,15 +414,15 @@ std::optional<CellVertex> placeAtEnd(std::span<const SheetPoint> points, ExactFa
 
 CellVertex placeVertex(std::span<const SheetPoint> points, ExactFaces* exact) {
   if (exact != nullptr && exact->active() && isOfSeveralBodies(points, *exact)) {
-    if (const std::optional<CellVertex> placed = placeAtEnd(points, *exact)) return *placed;
+    if (const std::optional<CellVertex> placed = placeAtSweepEnd(points, *exact)) return *placed;
     std::array<SheetPoint, 12> copied;
     std::copy(points.begin(), points.end(), copied.begin());
-    const std::span<SheetPoint> joined(copied.data(), points.size());
-    if (joinFaces(joined, *exact)) {
-      if (const std::optional<CellVertex> placed = placeOn(joined, true, exact)) return *placed;
+    const std::span<SheetPoint> merged(copied.data(), points.size());
+    if (mergeBlendedFaces(merged, *exact)) {
+      if (const std::optional<CellVertex> placed = placeFromFaces(merged, true, exact)) return *placed;
     }
   }
-  return *placeOn(points, false, exact);
+  return *placeFromFaces(points, false, exact);
 }
 
 }  // namespace proveout

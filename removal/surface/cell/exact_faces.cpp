@@ -14,26 +14,28 @@ namespace {
 /// Of distances, in cells: a hundredth of a micrometre on a grid of 0.2 mm.
 constexpr double kFootTolerance = 5e-5;
 
-/// A body this near, in cells, reaches to a point.
+/// A body this near to a point, in cells, reaches it.
 constexpr double kTouch = 1e-3;
 
 /// How far, in cells, a face of the blank is looked for.
 constexpr double kBlankReach = 3.0;
 
-/// Sine of the angle between a straight element and the axes, at the least, where it makes cones.
+/// An element that makes cones leans from the axes by at least this (sine).
 constexpr double kSlanted = 0.02;
 
-/// The same of normals of one face: rounding.
+/// Rounding of normals of one face, as a sine.
 constexpr double kFaceSlack = 1e-6;
 
-/// Sine of the angle by which a face that a tool left in passing may lean from its way: rounding of normals.
-constexpr double kSquare = 2e-3;
+/// By how much a face that a tool swept in passing may miss being at right angles to the motion (sine):
+/// rounding of normals.
+constexpr double kPerpendicular = 2e-3;
 
-/// Cosine of the angle by which elements that go over into each other may turn where they meet.
-constexpr double kNoBreak = 0.9999;
+/// Cosine of the angle by which neighbouring elements may turn where they meet and still have a common
+/// tangent there.
+constexpr double kTangentCos = 0.9999;
 
 MotionId motionOf(std::uint64_t face) { return static_cast<MotionId>(face >> 16); }
-/// Number of the profile's element, also of the one that a rim belongs to.
+/// Number of the profile's element; of a rim, that of the element it belongs to.
 int elementOf(std::uint64_t face) { return static_cast<int>(face & (ConvexProfile::kEdgeIds - 1)); }
 
 bool holds(const ConvexProfile& profile, int element) {
@@ -47,19 +49,19 @@ Vec2 directionOf(const ConvexProfile::Element& e, bool at_end) {
   return {-out.y(), out.x()};
 }
 
-/// Whether it is straight and makes cones.
+/// Whether the element is straight and makes cones.
 bool isSlanted(const ConvexProfile::Element& e) {
   return !e.arc && std::min(std::abs(e.dr), std::abs(e.dz)) > kSlanted;
 }
 
-/// Whether this element, by its id, goes over into the next one without a break.
-bool goesOver(const ConvexProfile& profile, int element) {
+/// Whether the element of this id and the next one meet with a common tangent.
+bool isTangentToNext(const ConvexProfile& profile, int element) {
   const int i = element - profile.firstElementId();
   if (i < 0 || i + 1 >= profile.elementCount()) return false;
-  return directionOf(profile.element(i), true).dot(directionOf(profile.element(i + 1), false)) > kNoBreak;
+  return directionOf(profile.element(i), true).dot(directionOf(profile.element(i + 1), false)) > kTangentCos;
 }
 
-/// With the motion that the blank knows it by, also once a path was run.
+/// The face with the motion by which the blank knows it, also after a path was run.
 std::uint64_t faceOfBlank(std::uint64_t face) {
   const MotionId motion = motionOf(face);
   if (motion == kNoMotion || motion < kEarlierMotions) return face;
@@ -134,10 +136,10 @@ Vec3 ExactFaces::directionAt(std::int64_t body, const Vec3& q) const {
   return record_->table.passes[static_cast<std::size_t>(body)].body.directionAt(corner_ + h_ * q);
 }
 
-int ExactFaces::endAt(std::int64_t body, const Vec3& q, const Vec3& normal) const {
+int ExactFaces::sweepEndAt(std::int64_t body, const Vec3& q, const Vec3& normal) const {
   if (blank_ != nullptr || body <= kNoBody) return 0;
   const double along = directionAt(body, q).dot(normal);
-  return std::abs(along) < kSquare ? 0 : along > 0.0 ? 1 : -1;
+  return std::abs(along) < kPerpendicular ? 0 : along > 0.0 ? 1 : -1;
 }
 
 bool ExactFaces::isRounded(std::int64_t body) const {
@@ -170,7 +172,7 @@ bool ExactFaces::isOffCutBlank(const Vec3& q, double by) const {
          TriangleTree::kNone;
 }
 
-bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) const {
+bool ExactFaces::isOnFace(const Foot& foot, std::uint64_t face) const {
   const int element = static_cast<int>(face & 0xFFFF);
   const int end = foot.element & ~ConvexProfile::kEdgeIds, first = element & ~ConvexProfile::kEdgeIds;
   if (element >= ConvexProfile::kEdgeIds) {
@@ -186,13 +188,14 @@ bool ExactFaces::isOf(const Foot& foot, std::uint64_t face) const {
   return !e.arc && std::abs(foot.normal.dot(pass->body.axis()) - e.dr) < kFaceSlack;
 }
 
-bool ExactFaces::isBeside(const Foot& foot, std::uint64_t face) const {
+bool ExactFaces::isOnTangentNeighbour(const Foot& foot, std::uint64_t face) const {
   const int end = foot.element & ~ConvexProfile::kEdgeIds, first = elementOf(face);
   const Pass* const pass = std::abs(end - first) == 1 ? passOf(face) : nullptr;
-  return pass != nullptr && goesOver(pass->body.profile(), std::min(end, first));
+  return pass != nullptr && isTangentToNext(pass->body.profile(), std::min(end, first));
 }
 
-/// The one straight element of a tool that made both, its axis the same way. Null where there is none.
+/// The straight element of a tool that made both faces, with its axis in the same direction. Null where
+/// there is none.
 const ConvexProfile::Element* ExactFaces::straightElementOf(std::uint64_t face, std::uint64_t other) const {
   if ((face & 0xFFFF) != (other & 0xFFFF) || (face & ConvexProfile::kEdgeIds) != 0) return nullptr;
   const Pass *const a = passOf(face), *const b = passOf(other);
@@ -213,11 +216,11 @@ bool ExactFaces::areOfOneCylinder(std::uint64_t face, std::uint64_t other) const
   return e != nullptr && e->dr == 0.0;
 }
 
-bool ExactFaces::goOver(std::uint64_t face, std::uint64_t other) const {
+bool ExactFaces::areTangentNeighbours(std::uint64_t face, std::uint64_t other) const {
   if (motionOf(face) != motionOf(other) || ((face | other) & ConvexProfile::kEdgeIds) != 0) return false;
   const int a = elementOf(face), b = elementOf(other);
   const Pass* const pass = std::abs(a - b) == 1 ? passOf(face) : nullptr;
-  return pass != nullptr && goesOver(pass->body.profile(), std::min(a, b));
+  return pass != nullptr && isTangentToNext(pass->body.profile(), std::min(a, b));
 }
 
 }  // namespace proveout

@@ -1,4 +1,4 @@
-// Where the faces of a surface are exactly: the swept volumes that cut them, or the blank.
+// Where the faces of a surface lie exactly: on the swept volumes that cut them, or on the blank.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace proveout {
 /// Answers for one cell at a time.
 class ExactFaces {
  public:
-  /// For the cells of the leaf at `origin`. Knows nothing where it is not known what cut the stock.
+  /// For the cells of the leaf at `origin`. Not active where it is not known what cut the stock.
   ExactFaces(const Stock::Impl& impl, const Coord& origin)
       : impl_(impl),
         origin_(origin),
@@ -20,8 +20,8 @@ class ExactFaces {
         blank_(impl.field.get()),
         cut_(impl.cut_field.get()),
         h_(impl.h) {}
-  /// As it was before the last path: for cells of which all crossings are older, so that these are read alike
-  /// before and after it. Knows the faces of a blank that are known, no others.
+  /// The state before the last path: for cells whose crossings are all older, so that they are read the same
+  /// before and after it. Gives the faces of a blank where these are known, no others.
   static ExactFaces beforeCut(const Stock::Impl& impl, const Coord& origin) {
     ExactFaces out(impl, origin);
     if (out.blank_ == nullptr) out.blank_ = out.cut_;
@@ -39,16 +39,16 @@ class ExactFaces {
     std::int64_t
         body;  ///< number of the swept body, equal for faces of one body; kNoBody where no pass made it
     /// The face is part of a plane, a sphere or a round cylinder, which several crossings and their normals
-    /// show exactly. True for faces that no pass made.
+    /// determine exactly. True for faces that no pass made.
     bool simple;
     double bend = 0.0;  ///< largest curvature of a simple face, by cell; 0 where it is not known
-    /// A pass made it with a straight piece of its tool's profile: it ends at rims. Round pieces go over into
-    /// others.
-    bool ends = false;
+    /// A pass made the face with a straight piece of its tool's profile: it is trimmed at rims. Round pieces
+    /// blend into others.
+    bool ends_at_rims = false;
     bool cone = false;  ///< that piece is slanted
 
-    /// Half a cell off its crossings a surface leaves their plane by 0.0075 cells where it bends as much, by
-    /// cell (a radius of 17 cells).
+    /// Curvature, per cell: with so much (a radius of 17 cells) a surface is 0.0075 cells off the plane of
+    /// its crossings half a cell beside them.
     static constexpr double kMostBend = 0.06;
     bool isShown() const { return simple && bend < kMostBend; }
   };
@@ -56,51 +56,55 @@ class ExactFaces {
   /// `face`: Crossing::face().
   Source source(std::uint64_t face);
 
-  /// How far into the material a crossing or a vertex is looked at from, in units of the cell: farther than
-  /// it is off the bodies that it is on.
-  static constexpr double kLookFrom = 0.25;
-  /// Point of the surface of a body.
+  /// Depth in the material from which bodies are probed for a crossing or a vertex, in units of the cell:
+  /// more than the point may be off the bodies that it is on.
+  static constexpr double kProbeDepth = 0.25;
+  /// Foot point: the point of a body nearest to a probe.
   struct Foot {
     Vec3 p;       ///< in units of the cell
     Vec3 normal;  ///< unit, out of the material (into the body)
     int element;  ///< as SweptField::sampleOutside says
   };
-  /// The point of the body nearest to `q` (in units of the cell), which should lie outside of the body: exact
-  /// there.
+  /// The foot point of `q` (in units of the cell) on the body. Exact where `q` lies outside the body, as it
+  /// should.
   Foot foot(std::int64_t body, const Vec3& q);
-  /// Whether a pass made it with a tool that is round somewhere, so that its faces may go over into each
-  /// other.
+  /// Whether a pass made the body with a tool that has a round element, so that its faces may blend into
+  /// each other.
   bool isRounded(std::int64_t body) const;
-  /// Distance of `q` from a body that a pass made, both in units of the cell; not above 1.
+  /// Distance of `q` from a body that a pass made, both in units of the cell; 1 at most.
   double distanceTo(std::int64_t body, const Vec3& q);
-  /// The surface is the blank's own.
+  /// Whether the surface is the blank's own.
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.
   double blankValue(const Vec3& q) const;
-  /// Whether a body other than this reaches to `q`.
+  /// Whether a body other than this one reaches `q` (in units of the cell).
   bool isReachedByOthers(std::int64_t body, const Vec3& q);
-  /// Whether a body holds `q`, this deep (in units of the cell).
+  /// Whether `q` lies inside a body, at least `depth` deep (both in units of the cell).
   bool isCovered(const Vec3& q, double depth);
-  /// Whether a place that should be on the blank is farther off it than this (in units of the cell). False
-  /// where that is not known.
+  /// Whether `q`, which should be on the blank, is farther than `by` off it (both in units of the cell).
+  /// False where that is not known.
   bool isOffCutBlank(const Vec3& q, double by) const;
-  /// Whether a point of the body that made `face` can be of that face: the same element of the tool, and its
-  /// rim where that made the face. Round elements are not told apart from their ends.
-  bool isOf(const Foot& foot, std::uint64_t face) const;
-  /// Whether it is of an element that the face's goes over into without a break.
-  bool isBeside(const Foot& foot, std::uint64_t face) const;
-  /// Whether passes of one tool made both with one straight slanted element of its profile: cones, and walls
-  /// that they swept.
+  /// Whether a foot point on the body that made `face` can belong to that face: it is on the same element of
+  /// the tool, or on its rim where the rim made the face. Round elements are not distinguished from their
+  /// ends.
+  bool isOnFace(const Foot& foot, std::uint64_t face) const;
+  /// Whether it belongs to a neighbouring element of the tool that continues the face's element with a
+  /// common tangent.
+  bool isOnTangentNeighbour(const Foot& foot, std::uint64_t face) const;
+  /// Whether passes of one tool made both faces with the same straight slanted element of its profile:
+  /// cones, and walls that cones swept.
   bool areOfOneCone(std::uint64_t face, std::uint64_t other) const;
-  /// The same of an upright element: cylinders and their walls.
+  /// The same of an upright element: cylinders and walls that they swept.
   bool areOfOneCylinder(std::uint64_t face, std::uint64_t other) const;
   /// As SweptBody::directionAt; `q` in units of the cell. Requires a body that a pass made.
   Vec3 directionAt(std::int64_t body, const Vec3& q) const;
-  /// What of its way the tool left at `q` (in units of the cell) of a face with this normal (out of the
-  /// material) there: 0 where it passed by, 1 where it began, -1 where it ended. 0 where that is not known.
-  int endAt(std::int64_t body, const Vec3& q, const Vec3& normal) const;
-  /// Whether both are of one motion and of elements of a tool that go over into each other without a break.
-  bool goOver(std::uint64_t face, std::uint64_t other) const;
+  /// Which part of a sweep made a face with this normal (out of the material) at `q` (in units of the cell):
+  /// 0 the tool in passing, 1 the round where the motion began, -1 the one where it ended. 0 where that is
+  /// not known.
+  int sweepEndAt(std::int64_t body, const Vec3& q, const Vec3& normal) const;
+  /// Whether both faces are of one motion and of neighbouring elements of a tool that meet with a common
+  /// tangent, so that the seam between them is smooth.
+  bool areTangentNeighbours(std::uint64_t face, std::uint64_t other) const;
 
  private:
   const Pass* passOf(std::uint64_t face) const;

@@ -7,7 +7,7 @@ namespace proveout {
 
 namespace {
 
-/// Where between the corners that are not in material it is looked for, the middle first.
+/// Where material is looked for between the corners that are not in it: the middle first.
 constexpr std::array<double, 3> kBetween = {0.5, 0.25, 0.75};
 
 }  // namespace
@@ -37,7 +37,7 @@ bool FaceJoins::isJoined(const Coord& at, int axis, bool lowest_in) const {
   beyond[(axis + 2) % 3] += 1;
   const Vec3 a = impl_.position(lowest_in ? at : aside), c = impl_.position(lowest_in ? beyond : up),
              b = impl_.position(lowest_in ? aside : at), d = impl_.position(lowest_in ? up : beyond);
-  // What no tool reached is as it was before.
+  // What no tool reached is meshed as before.
   if (!isSwept(b) || !isSwept(d)) return false;
   for (const double part : kBetween) {
     const Vec3 middle = b + part * (d - b);

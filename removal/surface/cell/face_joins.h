@@ -1,4 +1,4 @@
-// Faces of cells whose four edges are crossed: what goes through them.
+// What goes through faces of cells whose four edges are all crossed.
 #pragma once
 
 #include "removal/grid/stock_impl.h"
@@ -8,7 +8,7 @@ namespace proveout {
 
 /// Two opposite corners of such a face are in material, the others are not. Either the surface cuts off the
 /// material corners singly, or material goes through between them and it cuts off the others. Crossings do
-/// not tell which; what cut the stock does, where it is known.
+/// not show which; what cut the stock does, where that is known.
 class FaceJoins {
  public:
   explicit FaceJoins(const Stock::Impl& impl);

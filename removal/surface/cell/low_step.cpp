@@ -11,17 +11,20 @@ namespace proveout {
 
 namespace {
 
-/// Normals lean by no more from their mean (35 degrees), all in cells: steps are between these, and faces of
-/// one level this near to each other.
+/// Normals lean by no more than this (35 degrees) from their mean. Heights of steps, least and most, and by
+/// how much faces of one level may differ, in cells.
 const double kParallelCos = std::cos(degToRad(35.0));
 constexpr double kLeastStep = 0.02, kMostStep = 1.2, kOneLevel = 0.02;
-/// Planes that lean against each other meet in a crease within so many cells, and leave no step.
-constexpr double kCreaseWithin = 0.5;
-/// And by more than 35 degrees they are no step in any case: its sine.
+/// Planes that lean towards each other so much that they meet within this many cells form a feature edge and
+/// no step.
+constexpr double kMeetWithin = 0.5;
+/// If they lean by more than 35 degrees (sine) they are no step in any case.
 constexpr double kMostLean = 0.574;
-/// How exactly edges are found on the bodies, in cells, and from where they are looked at.
+/// How exactly edges are found on the bodies, and from how far aside the wall is probed, in cells; the wall
+/// must face aside by at least this.
 constexpr double kFoundWithin = 2e-4, kWallFrom = 0.25, kLeastAside = 0.3;
-/// Walls lean from upright by 30 degrees at the most; the edge above is no farther aside than this.
+/// Least cosine between a wall's normal and the side, and between an upper face's normal and up; the upper
+/// edge is no farther aside than kMostAside, in cells.
 constexpr double kUpright = 0.5, kMostAside = 0.6;
 /// How far outside the cell the two edges may be.
 constexpr double kStepReach = 0.75;
@@ -64,7 +67,7 @@ class StepFinder {
   Vec3 aside_ = Vec3::Zero();  ///< unit, across the wall, into the material
 };
 
-/// What points of more than one face have in common. False if there is none.
+/// The mean direction of the normals. False if they do not have one in common, or are of one face.
 bool StepFinder::findUp() {
   for (const SheetPoint& s : points_) {
     mean_ += s.p / static_cast<double>(points_.size());
@@ -79,7 +82,7 @@ bool StepFinder::findUp() {
   return !one;
 }
 
-/// One body's faces below all others, which are on one level.
+/// The levels: one body's faces lowest, and all others above them on one level.
 bool StepFinder::findLevels() {
   const auto count = static_cast<std::size_t>(collectFaces(points_, kSameFaceCos, faces_));
   std::array<double, 12> height{};
@@ -92,7 +95,7 @@ bool StepFinder::findLevels() {
   low_ = &faces_[lowest];
   const ExactFaces::Source source = exact_.source(low_->id);
   body_ = source.body;
-  if (body_ < 0 || !source.ends) return false;
+  if (body_ < 0 || !source.ends_at_rims) return false;
   double highest = -std::numeric_limits<double>::infinity(), below_all = height[lowest];
   step_ = -highest;
   for (std::size_t i = 0; i < count; ++i) {
@@ -109,16 +112,17 @@ bool StepFinder::findLevels() {
   return step_ > kLeastStep && step_ < kMostStep && highest < step_ + kOneLevel;
 }
 
-/// Both levels against each other, where what is below leans least: at its edge it may curve up.
+/// Whether the levels lean against each other too much, judged where the lower one leans least: it may curve
+/// up at its edge.
 bool StepFinder::leansTooFar() const {
   double lean = 1.0;
   for (const SheetPoint& s : points_) {
     if (s.face == low_->id) lean = std::min(lean, s.n.cross(high_->normal).norm());
   }
-  return lean > kMostLean || step_ < kCreaseWithin * lean;
+  return lean > kMostLean || step_ < kMeetWithin * lean;
 }
 
-/// From the points below to those above. False if they lie above each other.
+/// The direction from the lower points to the upper ones. False if they lie above each other.
 bool StepFinder::findAside() {
   Vec3 below = Vec3::Zero(), above = Vec3::Zero();
   double of_below = 0.0;
@@ -134,7 +138,8 @@ bool StepFinder::findAside() {
   return true;
 }
 
-/// Of the line through `b`, that part which is in the cell, or else the point nearest to the cell's middle.
+/// The middle of the part of the line through `b` that is in the cell; without one, its point nearest to the
+/// middle of the cell.
 Vec3 StepFinder::inTheMiddle(const Vec3& b, const Vec3& along) const {
   constexpr double kAcross = 1e-3;
   double from = -std::numeric_limits<double>::infinity(), to = -from;
@@ -148,7 +153,8 @@ Vec3 StepFinder::inTheMiddle(const Vec3& b, const Vec3& along) const {
   return b + at * along;
 }
 
-/// Seen from aside and below: the body's own edge below the wall, or where it turns into it.
+/// The lower edge of the wall, probed from aside and below: the body's own edge, or where the floor blends
+/// into the wall.
 bool StepFinder::findWall(Vec3& b) {
   b = rimNear(mean_ + up_ * heightOf(*low_));
   for (int round = 0; round < kWallRounds; ++round) {
@@ -171,7 +177,7 @@ bool StepFinder::findTop(const Vec3& b, Vec3& t) {
   for (int round = 0; round < kStepRounds; ++round) {
     Plane upper = planeAt(*high_, t);
     if (above != ExactFaces::kNoBody) {
-      const ExactFaces::Foot foot = exact_.foot(above, t - ExactFaces::kLookFrom * high_->normal);
+      const ExactFaces::Foot foot = exact_.foot(above, t - ExactFaces::kProbeDepth * high_->normal);
       if (!(foot.normal.dot(up_) > kUpright)) return false;
       upper = {foot.normal, foot.normal.dot(foot.p - t)};
     }

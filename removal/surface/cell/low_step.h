@@ -1,5 +1,5 @@
-// Steps lower than a cell: two nearly parallel faces whose crossings a cell sees, and a wall between them of
-// which it sees none.
+// Steps lower than a cell: two nearly parallel faces that a cell has crossings of, and a wall between them
+// that it has none of.
 #pragma once
 
 #include <optional>
@@ -17,9 +17,9 @@ struct LowStep {
   MotionId motion = kNoMotion;  ///< that made the wall, and what is below it
 };
 
-/// The step in the middle of its way through a cell, where the body that made the lower face also made the
-/// wall, and both edges are found on the bodies. `points`: crossings of the cell's only sheet; `exact`: set
-/// to the cell. None where there is none, or not for sure.
+/// The step, at the middle of its run through a cell, if the body that made the lower face also made the
+/// wall and both edges are found on the bodies. `points`: crossings of the cell's only sheet; `exact`: set
+/// to the cell. None where there is no step or it is uncertain.
 std::optional<LowStep> findLowStep(std::span<const SheetPoint> points, ExactFaces& exact);
 
 }  // namespace proveout

@@ -103,7 +103,7 @@ bool isFlatDisk(const SurfaceLeaf& leaf, const LeafPatch& patch, const CellCube&
          eulerNumber(leaf, patch, cube) == 1 && connected(leaf, patch, cube);
 }
 
-/// Whether all cells of the leaf lie on one plane, to what the normals are stored. Then every cube of it
+/// Whether all cells of the leaf lie on one plane, as exactly as normals are stored. Then every cube of it
 /// holds a convex piece of the plane: a disk.
 bool isPlane(const SurfaceLeaf& leaf, const LeafPatch& patch) {
   if (leaf.cells == 0 || leaf.mixed != patch.gentle) return false;

@@ -14,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-/// A cell's surface bends little if its normals are within 12 degrees of their mean.
+/// A cell's surface bends little if its normals are within 12 degrees (cosine) of their mean.
 constexpr float kGentleCos = 0.978f;
 /// How far vertices of cells with several sheets may leave them, in cells.
 constexpr double kThinReach = 0.1;
@@ -22,17 +22,19 @@ constexpr double kThinReach = 0.1;
 constexpr double kBlankSlack = 1e-4;
 constexpr double kNoLimit = 1e12;
 const Vec3 kNoPlace = Vec3::Constant(kNoLimit);
-/// Vertices farther off the surface, in cells, are told of: ridges and walls there are lost between the
-/// samples.
+/// Vertices farther off the surface than this, in cells, are reported: ridges and walls there are lost
+/// between the samples.
 constexpr double kOffBy = 0.2;
-/// And those that stand out of the middle of their crossings by less are not, as tools are larger than cells.
+/// Vertices that stand out of the middle of their crossings by less than this are not, as tools are larger
+/// than cells.
 constexpr double kStandsOut = 0.15;
-/// A face ends before a vertex that is farther off it, in cells; one that leans less from it goes on there.
-constexpr double kEndsAt = 0.02, kGoesOn = 0.9;
+/// A face is trimmed before a vertex that is farther off its body than this, in cells; another face
+/// continues it there if their normals are nearer than this (cosine).
+constexpr double kTrimDistance = 0.02, kContinuesCos = 0.9;
 /// Sheets of one cell keep their vertices this far apart (in cells), as seen from one to the other.
 constexpr double kSheetGap = 0.01;
-/// Below this lean of the normals from their mean (2 degrees), the crossings place the vertex of any smooth
-/// face to better than 1e-3 cells.
+/// As long as normals are within this of their mean (2 degrees, cosine), the crossings place the vertex of
+/// any smooth face to better than 1e-3 cells.
 constexpr float kBentCos = 0.9994f;
 constexpr float kNormalUnit = 1.0f / Crossing::kNormalScale;
 
@@ -51,7 +53,7 @@ class CrossingTable {
   const Crossing* operator[](int i) const { return at_[i]; }
 
  private:
-  /// `place`: the leaf's, from the one whose cells are looked at.
+  /// `place`: of the leaf, as seen from the one whose cells are read.
   void fillFrom(const SurfaceLeaf& leaf, int place) {
     const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
     const std::uint64_t columns = (dx != 0 ? kColumnX0 : ~0ull) & (dy != 0 ? kColumnY0 : ~0ull);
@@ -158,14 +160,14 @@ class LeafPlacer {
     for (int sheet = 0; sheet < sheets; ++sheet) {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, exact_);
-      const Vec3 origin(x, y, z), on_crease = v.p;
-      if (v.outside && !v.smooth && isTaken(v.p, count)) {
+      const Vec3 origin(x, y, z), on_feature = v.p;
+      if (v.outside && !v.smooth && isCutAway(v.p, count)) {
         v.p = v.inside;
         v.outside = false;
       }
       keepInBlank(origin, v.p);
       keepInBlank(origin, v.inside);
-      // Beside another sheet a vertex only leaves its cell by little.
+      // Beside another sheet a vertex leaves its cell by little at most.
       const bool near = (v.p - v.inside).squaredNorm() < 1.0 && v.p.minCoeff() > -kThinReach &&
                         v.p.maxCoeff() < 1.0 + kThinReach;
       const Vec3& thin = near ? v.p : v.inside;
@@ -182,18 +184,19 @@ class LeafPlacer {
       out.p = toFloat(origin + (sheets == 1 ? v.p : thin));
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
-      if (v.along != Vec3::Zero() && v.p == on_crease)
-        leaf_.creases.push_back({static_cast<std::uint16_t>(z << 6 | bit), v.outside, toFloat(v.along)});
+      if (v.along != Vec3::Zero() && v.p == on_feature)
+        leaf_.feature_edges.push_back(
+            {static_cast<std::uint16_t>(z << 6 | bit), v.outside, toFloat(v.along)});
       if (const auto step = findLowStep({points_.data(), static_cast<std::size_t>(count)}, *exact_)) {
         out.traits |= CellTraits::kStep;
         leaf_.steps.push_back({static_cast<std::uint16_t>(rank), toFloat(origin + step->low),
                                toFloat(origin + step->high), step->motion});
       }
-      if (!v.smooth && isOff(v.p, count)) out.traits |= CellTraits::kOff;
+      if (!v.smooth && isOffSurface(v.p, count)) out.traits |= CellTraits::kOff;
       if (!v.smooth && exact_->active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
       if (v.outside) {
         leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
-                                 !v.smooth && isOff(v.inside, count)});
+                                 !v.smooth && isOffSurface(v.inside, count)});
         out.traits |= CellTraits::kOutside;
       } else if (patch_ != nullptr && bendsLittle(count, n)) {
         keepGentle(bit, z, rank, faces, out.p, n);
@@ -212,7 +215,7 @@ class LeafPlacer {
   }
 
  private:
-  /// Where the path made none of the crossings the cell is as it was.
+  /// Where the path made none of the crossings, the cell is read as it was before it.
   void setCell(const CellPattern& cell, int at, const Coord& voxel) {
     const auto isOld = [&](const CellEdge& e) {
       return knownMotion(crossings_[at + e.offset]->motion) == kNoMotion;
@@ -222,7 +225,8 @@ class LeafPlacer {
     for (ExactFaces* faces : {&cut_, &before_}) faces->setCell(impl_.position(voxel));
   }
 
-  /// The usual case: all crossings are of one face with no wide spread. The rule is the one of placeVertex.
+  /// The usual case: all crossings are of one face and their normals do not spread widely. The rule is that
+  /// of placeVertex.
   bool placeOneFace(const CellPattern& cell, int at, Eigen::Vector3f& p, Eigen::Vector3f& normal) {
     std::array<Eigen::Vector3f, 12> points, normals;
     Eigen::Vector3f mean = Eigen::Vector3f::Zero(), sum = mean;
@@ -247,7 +251,7 @@ class LeafPlacer {
     if (exact_->active()) {
       const ExactFaces::Source source = exact_->source(first->face());
       if (!source.simple && bends(normals, cell.count, normal)) return false;
-      if (!source.isShown() && !source.cone && endsWithin(source.body, points, normals, cell.count))
+      if (!source.isShown() && !source.cone && sweepEndsWithin(source.body, points, normals, cell.count))
         return false;
     }
     float height = 0.0f;
@@ -261,12 +265,13 @@ class LeafPlacer {
     return p.minCoeff() > 1e-3f && p.maxCoeff() < 1.0f - 1e-3f;
   }
 
-  /// Whether the tool passed by at some crossings of a face and at others its way began or ended.
-  bool endsWithin(std::int64_t body, const std::array<Eigen::Vector3f, 12>& points,
-                  const std::array<Eigen::Vector3f, 12>& normals, int count) const {
-    const int first = exact_->endAt(body, points[0].cast<double>(), normals[0].cast<double>());
+  /// Whether some crossings of a face are of the tool in passing, and others of the round where its motion
+  /// began or ended.
+  bool sweepEndsWithin(std::int64_t body, const std::array<Eigen::Vector3f, 12>& points,
+                       const std::array<Eigen::Vector3f, 12>& normals, int count) const {
+    const int first = exact_->sweepEndAt(body, points[0].cast<double>(), normals[0].cast<double>());
     for (int i = 1; i < count; ++i) {
-      if (exact_->endAt(body, points[i].cast<double>(), normals[i].cast<double>()) != first) return true;
+      if (exact_->sweepEndAt(body, points[i].cast<double>(), normals[i].cast<double>()) != first) return true;
     }
     return false;
   }
@@ -278,7 +283,8 @@ class LeafPlacer {
     return false;
   }
 
-  /// A sliver that meets no edge of the cell at the blank's face may let other faces meet beyond it.
+  /// Where a sliver at the blank's face crosses no edge of the cell, the other faces may meet outside the
+  /// blank.
   void keepInBlank(const Vec3& origin, Vec3& p) const {
     const Vec3 kept = (origin + p).cwiseMax(low_).cwiseMin(high_) - origin;
     if ((kept - p).cwiseAbs().maxCoeff() > kBlankSlack) p = kept;
@@ -299,11 +305,10 @@ class LeafPlacer {
     return count;
   }
 
-  /// Whether a vertex is off the surface: on none of the faces whose crossings it has, or where another tool
-  /// took what is there. Near to a crossing it is not.
-  /// Vertices of a blank whose faces are known are put onto them.
-  bool isOff(const Vec3& p, int count) {
-    if (exact_->ofBlank()) return isTaken(p, count);
+  /// Whether a vertex is off the surface: on none of the faces of its crossings, or where another tool cut
+  /// away what is there. Never near a crossing. Vertices of a blank whose faces are known are put onto them.
+  bool isOffSurface(const Vec3& p, int count) {
+    if (exact_->ofBlank()) return isCutAway(p, count);
     double nearest2 = kNoLimit, plane = kNoLimit;
     bool on_blank = false;  // the nearest plane is the blank's
     for (int i = 0; i < count; ++i) {
@@ -318,37 +323,37 @@ class LeafPlacer {
     if (nearest2 < kOffBy * kOffBy) return false;
     if (plane > kOffBy) return true;
     if (on_blank && exact_->isOffCutBlank(p, kOffBy)) return true;
-    return isTaken(p, count);
+    return isCutAway(p, count);
   }
 
-  /// Whether a face ends before the vertex, and no other goes on there: surface beside it shows by no
-  /// crossing.
+  /// Whether a face is trimmed before the vertex and no other continues it: there is surface beside the
+  /// vertex that no crossing shows.
   bool missesFace(const Vec3& p, int count) {
     std::array<bool, 12> missed{};
     bool any = false;
     for (int i = 0; i < count; ++i) {
       const ExactFaces::Source source = exact_->source(points_[i].face);
-      if (!source.ends) continue;
+      if (!source.ends_at_rims) continue;
       const bool as_before = i > 0 && points_[i].face == points_[i - 1].face;
-      missed[i] = as_before ? missed[i - 1] : exact_->distanceTo(source.body, p) > kEndsAt;
+      missed[i] = as_before ? missed[i - 1] : exact_->distanceTo(source.body, p) > kTrimDistance;
       any = any || missed[i];
     }
     if (!any) return false;
-    const auto goesOn = [&](int i) {
+    const auto isContinued = [&](int i) {
       for (int j = 0; j < count; ++j) {
-        if (!missed[j] && points_[i].n.dot(points_[j].n) > kGoesOn) return true;
+        if (!missed[j] && points_[i].n.dot(points_[j].n) > kContinuesCos) return true;
       }
       return false;
     };
     for (int i = 0; i < count; ++i) {
-      if (missed[i] && !goesOn(i)) return true;
+      if (missed[i] && !isContinued(i)) return true;
     }
     return false;
   }
 
-  /// Whether a tool took what is at a vertex and none of its crossings: it stands out from among them. Asking
-  /// all tools is dear.
-  bool isTaken(const Vec3& p, int count) {
+  /// Whether a tool cut away what is at a vertex without making one of its crossings. Only asked where the
+  /// vertex stands out from among them, as asking all tools is expensive.
+  bool isCutAway(const Vec3& p, int count) {
     Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
     for (int i = 0; i < count; ++i) {
       if ((p - points_[i].p).squaredNorm() < kOffBy * kOffBy) return false;
@@ -364,8 +369,8 @@ class LeafPlacer {
     return covered_;
   }
 
-  /// Where a wall narrower than the cell ends, two sheets are cut off at one place; their vertices change
-  /// sides only by what they are uncertain.
+  /// Where a wall narrower than the cell ends, two sheets end at one place: their vertices are on the wrong
+  /// sides of each other by no more than their uncertainty, and are put right.
   void keepApart(int sheets) {
     for (int i = 1; i < sheets; ++i) {
       for (int j = 0; j < i; ++j) {
@@ -403,7 +408,7 @@ class LeafPlacer {
   LeafPatch* patch_;
   ExactFaces cut_, before_;
   bool has_before_;            ///< the blank's faces were known before the path
-  ExactFaces* exact_ = &cut_;  ///< the one that tells of the cell
+  ExactFaces* exact_ = &cut_;  ///< the one that answers for the cell
   Vec3 low_ = Vec3::Constant(-kNoLimit),
        high_ = Vec3::Constant(kNoLimit);  ///< the blank, in the leaf's cells
   Vec3 asked_ = kNoPlace;  ///< the last place of this cell of which it was asked whether it is covered
@@ -457,7 +462,7 @@ void SurfaceGrid::linkLeaf(SurfaceLeaf& leaf, std::size_t number) {
   const Coord& at = leaf.stock->origin;
   leaf.upper = read.statesBeside(at, 1);
   PROVEOUT_ASSERT(leaf.upper[0] == static_cast<std::int32_t>(number));
-  // Each of the lower leaves is told by the leaf itself; nobody reads the last one.
+  // Each leaf enters itself as the lower one of its neighbours; the last entry is never read.
   for (std::size_t i = 0; i < 7; ++i) {
     if (leaf.upper[i] >= 0)
       leaves_[static_cast<std::size_t>(leaf.upper[i])].lower[i] = static_cast<std::int32_t>(number);

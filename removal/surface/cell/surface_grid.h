@@ -32,11 +32,11 @@ struct ExtraVertex {
   Eigen::Vector3f p;  ///< leaf units
 };
 
-/// A vertex that left its cell.
+/// A vertex that is outside its cell.
 struct OutsideVertex {
   std::uint16_t place = 0;  ///< of the cell: z * 64 + leafBit(x, y)
-  Eigen::Vector3f inside;   ///< where it goes if it folds the surface; leaf units
-  bool off = false;         ///< and is off the surface there
+  Eigen::Vector3f inside;   ///< where it is put if it folds the surface; leaf units
+  bool off = false;         ///< whether it is off the surface there
 };
 
 /// Where a step lower than a cell runs through one; see LowStep.
@@ -46,16 +46,17 @@ struct StepCell {
   std::uint32_t motion = 0;
 };
 
-/// The way of the crease that a vertex is on.
-struct CreaseWay {
+/// The direction of the feature edge that a vertex is on.
+struct FeatureEdgeDirection {
   std::uint16_t place = 0;  ///< of the cell, as in OutsideVertex
   bool outside = false;     ///< known where the vertex is outside its cell, unless it was put back
   Eigen::Vector3f along;    ///< unit, either way
 };
 
-/// That all surface of a leaf is a level piece of one face: one layer of crossings across an axis, all alike.
+/// States that all surface of a leaf is a level piece of one face: one layer of equal crossings across an
+/// axis.
 struct LevelFace {
-  std::int8_t axis = -1, layer = 0;  ///< -1: it is not
+  std::int8_t axis = -1, layer = 0;  ///< -1: that does not hold
   bool material_below = false;
   Crossing crossing;
   bool operator==(const LevelFace&) const = default;
@@ -74,7 +75,7 @@ struct SurfaceLeaf {
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
   std::vector<StepCell> steps;
-  std::vector<CreaseWay> creases;  ///< those that are known, of cells with one sheet
+  std::vector<FeatureEdgeDirection> feature_edges;  ///< those that are known, of cells with one sheet
   LeafClusters clusters;
   LevelFace level;
   bool all_level = false;  ///< the vertices of all cells are on the level face, in the middle of their cells
@@ -107,9 +108,10 @@ struct CellTraits {
   static constexpr std::uint16_t kOff = 0x400;       ///< its vertex is off the surface
   static constexpr std::uint16_t kWalled = 0x800;    ///< its triangles stay in it; see SurfaceGrid::wall
   static constexpr std::uint16_t kDrawnIn = 0x1000;  ///< and its sheets are in the middle of their crossings
-  static constexpr std::uint16_t kMisses = 0x2000;   ///< a face of its crossings ends before its vertex
+  static constexpr std::uint16_t kMisses = 0x2000;   ///< a face of its crossings is trimmed before its vertex
   static constexpr std::uint16_t kStep = 0x4000;     ///< a step lower than the cell runs through it
-  static constexpr std::uint16_t kClose = 0x8000;    ///< triangles near it met; see SurfaceGrid::markClose
+  static constexpr std::uint16_t kClose =
+      0x8000;  ///< triangles near it intersected; see SurfaceGrid::markClose
 };
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet.
@@ -121,8 +123,8 @@ struct ThinCells {
   Vec3 first = Vec3::Zero();  ///< middle of the first, mm
 };
 
-/// Vertices on edges keep this far from the ends (in cells), so that those of several edges never coincide;
-/// those in walled cells from the walls.
+/// Vertices on edges stay this far from the ends (in cells), so that those of several edges never coincide;
+/// vertices in walled cells stay this far from the walls.
 inline constexpr double kEndGap = 1e-3;
 
 class SurfaceGrid {
@@ -137,28 +139,30 @@ class SurfaceGrid {
   const Stock::Impl& impl() const { return impl_; }
   const std::vector<SurfaceLeaf>& leaves() const { return leaves_; }
   std::vector<SurfaceLeaf>& leaves() { return leaves_; }
-  /// Vertices of leaves, first those of the cells, then the extra ones.
+  /// Number of vertices of leaves: first those of the cells, then the extra ones.
   std::size_t vertexCount() const { return cell_count_ + extra_count_; }
   std::size_t cellCount() const { return cell_count_; }
-  /// Of a cell's first sheet; leaf units.
+  /// The vertex of a cell's first sheet, in leaf units.
   const Eigen::Vector3f& vertex(std::uint32_t cell) const { return vertices_[cell]; }
   void markFolding(std::uint32_t cell) { traits_[cell] |= CellTraits::kFolds; }
-  /// Moves a vertex that was marked; false if it was not. `off`: it is off the surface there.
+  /// Moves a vertex that was marked to `p`, in leaf units; false if it was not marked. `off`: it is off the
+  /// surface there.
   bool putInside(std::uint32_t cell, const Eigen::Vector3f& p, bool off);
-  /// Keeps what is in a cell from what is in others: its vertices go inside, and where its surface goes
-  /// through a face there will be a vertex. Triangles then lie each in one cell, as cones over closed lines
-  /// on its walls, and do not meet. Sheets of one cell are parted for sure when it is asked for again. False
-  /// if all is done already.
+  /// Separates what is in a cell from what is in others: its vertices go inside, and where its surface goes
+  /// through a face of the cell there will be a vertex. Each triangle then lies in one cell, as part of a
+  /// cone over closed lines on its walls, and does not meet those of others. A second call parts the sheets
+  /// of one cell for certain. False if all was done already.
   bool wall(std::uint32_t cell);
-  /// Quads at this cell keep as near to the surface as those of a mesh that is not simplified. False if they
-  /// did already.
+  /// Makes quads at this cell keep as near to the surface as those of a mesh that is not simplified. False
+  /// if they did already.
   bool markClose(std::uint32_t cell) {
     const bool fresh = (traits_[cell] & CellTraits::kClose) == 0;
     traits_[cell] |= CellTraits::kClose;
     return fresh;
   }
-  /// Whether the vertex of this cell, which is outside, may be in the way of other surface: it is out at an
-  /// edge, by more than soft creases are, or comes near to the vertex of the cell that it is in.
+  /// Whether the vertex of this cell, which is outside, may be in the way of other surface: it left through
+  /// an edge of the cell, by more than shallow feature edges do, or comes near to the vertex of the cell
+  /// that it is in.
   bool crowds(const SurfaceLeaf& leaf, int place) const;
   /// Number of the leaf of a cell.
   std::size_t leafOf(std::uint32_t cell) const;
@@ -168,16 +172,17 @@ class SurfaceGrid {
   /// The cell whose lowest corner is this voxel of the whole grid; none where no surface goes through it.
   std::optional<std::uint32_t> cellAt(const Coord& at) const;
   std::uint16_t traits(std::uint32_t cell) const { return traits_[cell]; }
-  /// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed, kEndGap
-  /// off its ends at the least; its middle where it is not.
+  /// Fraction of the edge along `axis` from voxel `at` (of the whole grid) at which it is crossed, at least
+  /// kEndGap from its ends; 0.5 where it is not crossed.
   double crossingOn(int axis, const Coord& at) const;
   bool isCrossed(int axis, const Coord& at) const;
-  /// Motion of the last path that made the crossing of an edge; kNoMotion where it is not crossed, or older.
+  /// Motion of the last path that made the crossing of an edge; kNoMotion where there is no crossing or it
+  /// is older.
   MotionId motionOn(int axis, const Coord& at) const;
-  /// In all leaves.
+  /// Counts the thin cells of all leaves.
   ThinCells countThin() const;
 
-  /// Whether the level face of a leaf goes on in those beside it (SurfaceLeaf::upper or lower).
+  /// Whether the level face of a leaf continues in the leaves `beside` it (SurfaceLeaf::upper or lower).
   bool isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const;
   /// Samples of a leaf and its upper neighbours.
   std::array<const LeafBits*, 8> blockBits(const SurfaceLeaf& leaf) const;
@@ -199,8 +204,8 @@ class SurfaceGrid {
   std::unique_ptr<std::uint16_t[]> traits_;
 };
 
-/// Whether each vertex is where its cell may put it: inside, or as far outside as its traits allow. Looks at
-/// all of a grid whose surface is unfolded.
+/// Whether each vertex is where its cell may put it: inside, or as far outside as its traits allow. For a
+/// grid whose folds are repaired.
 bool verticesInReach(const SurfaceGrid& grid);
 
 }  // namespace proveout

@@ -11,70 +11,77 @@ namespace proveout {
 
 namespace {
 
-constexpr double kLookFrom = ExactFaces::kLookFrom;
-/// Beside a ridge of one body a face is looked at from so far aside, and so much deeper, of that; the tangent
-/// plane seen there is good at the ridge only from this part of it.
-constexpr double kLookAside = 0.3, kLookDown = 0.3, kLeastAside = 0.05;
-/// A vertex is not moved farther than this, and rests when a step is shorter than that: Newton's method
-/// leaves the step's square then.
+constexpr double kProbeDepth = ExactFaces::kProbeDepth;
+/// Beside a ridge of one body a face is probed from this far aside, and deeper by this share of that. The
+/// tangent plane found there holds at the ridge only once the step aside has shrunk to kLeastAside of it.
+constexpr double kProbeAside = 0.3, kProbeDown = 0.3, kLeastAside = 0.05;
+/// A vertex is moved no farther than kMostMoved, and is at rest when a step is shorter than kRest: Newton's
+/// method is then off by the step's square.
 constexpr double kMostMoved = 0.35, kRest = 0.01;
-/// Where two faces meet at less than 20 degrees, what their tangent planes are off at the crossings moves the
-/// crease by three times as much and more. Faces that turn by 6 degrees and more have no such planes.
-constexpr double kMeetGently = 0.94, kTurnGently = 0.1, kMostMovedGently = 0.7;
+/// Two faces that meet at less than 20 degrees: an error of their tangent planes at the crossings moves the
+/// feature edge by three times as much or more, so it may be farther away. Only for faces that turn by less
+/// than 6 degrees, which have such planes.
+constexpr double kShallowCos = 0.94, kShallowSpread = 0.1, kMostMovedShallow = 0.7;
 constexpr int kNewtonRounds = 8;
-/// A place at which tangent planes meet where faces go over into each other smoothly is off them by less.
+/// Where faces blend into each other smoothly, the point at which their tangent planes meet is off them by
+/// less than this.
 constexpr double kLittleMoved = 0.1;
-/// So far off tangent planes a place between them is on none of their faces.
+/// A point between tangent planes that is farther off them than this is on none of their faces.
 constexpr double kBetween = 4e-3;
-/// A face that goes over into another turns by less than 26 degrees from where they are crossed. An edge is
-/// seen at a larger angle.
-constexpr double kGoesOver = 0.9;
-/// The rules on crossings are good to 2e-3 cells for any face whose normals differ by less than this (1
+/// A face that blends into another turns by less than 26 degrees (cosine) from its crossings to there. A
+/// larger angle is a feature edge.
+constexpr double kBlendCos = 0.9;
+/// The rules on crossings place a vertex to 2e-3 cells on any face whose normals differ by less than this (1
 /// degree).
 constexpr double kFlatSpread = 0.02;
-/// Crossings that show how a face bends; fewer lie in one direction, across which it may bend as it likes.
+/// Crossings needed to show how a face bends; fewer lie in one line, and say nothing of how it bends across
+/// that.
 constexpr int kShowing = 3;
-/// Where crossings do not show how a face bends, its crease would lie on their plane: by an eighth of this
-/// off, and always to the same side, which adds up in the volume.
+/// Where crossings do not show how a face bends, its feature edge would be put on their plane: off by an
+/// eighth of this, always to the same side, which would add up in the volume.
 constexpr double kMostBendUnseen = 2e-3;
-/// A face that turns by less than 5.7 degrees up to a crease is as good as a plane there.
+/// A face that turns by less than 5.7 degrees up to a feature edge counts as a plane there.
 constexpr double kLittleTurned = 0.995;
-/// A vertex at rest is seen on its faces within this.
+/// A vertex at rest must be found on its faces to this.
 constexpr double kSeenAt = 0.03;
-/// The same, looked at against the normals of the crossings.
+/// The same, when probed against the normals of the crossings.
 constexpr double kSeenOver = 0.08;
-constexpr int kLooks = 3;
-/// A body must face the vertex as the crossings do, to 60 degrees: else it shows another of its faces.
+constexpr int kProbes = 3;
+/// A body must face the vertex as the crossings do, to 60 degrees: otherwise the probe has found another of
+/// its faces.
 constexpr double kSameFacing = 0.5;
 /// How far (in radians) faces with many crossings, and with few, may turn up to the vertex.
 constexpr double kSlackTurn = 0.1, kMostTurn = 1.0, kTurnOfFew = 0.5;
-/// From its crossings a face goes on to a vertex outside the cell for so many cells.
+/// A face is followed from its crossings to a vertex outside the cell for this many cells.
 constexpr double kFarthest = 1.5;
-/// A surface that meets the walls at which a vertex lies at less than 3 degrees is not followed along them.
+/// A surface is not followed along cell walls that it meets at less than 3 degrees.
 constexpr double kFlatWall = 0.05;
-/// A crease or corner this far off the blank, in cells, is none.
+/// A feature edge or corner must be this near to the blank, in cells; otherwise it is not one.
 constexpr double kOffBlank = 0.01;
-/// A vertex this near is on the surface.
+/// A vertex this near to the surface counts as on it.
 constexpr double kOnSurface = 1e-3;
-/// How near to the border of two elements it is found: bends differ by its square beside it.
-constexpr double kAtBorder = 0.02;
-/// So far before and behind a vertex an end of the way is looked for that crossings of the cell tell of.
-constexpr double kAlongWay = 1.0;
-/// Faces that turn by more (3 degrees) from one side of that to the other break there.
-constexpr double kUnbroken = 0.9986;
-/// Elements whose crossings turn by more (in radians) bend so much that smaller quads are worth more.
-constexpr double kGentleTurn = 0.3;
-/// How far to either side an edge is looked at, and how much less it moves than a smooth surface.
-constexpr double kSideStep = 0.05, kStays = 0.4;
-/// Faces that meet at less (6 degrees) do not tell which way their crease runs.
-constexpr double kLeastCrease = 0.1;
-/// Edges that run along a face, to 12 degrees, have no certain place where they meet it.
+/// How exactly a seam is found: the error of the curvature beside it goes with the square of this.
+constexpr double kSeamTolerance = 0.02;
+/// How far before and behind a vertex the end of a sweep is looked for, where crossings of the cell show
+/// that there is one.
+constexpr double kSweepEndReach = 1.0;
+/// Faces that turn by more than this (3 degrees, cosine) from one side of a seam to the other break there.
+constexpr double kUnbrokenCos = 0.9986;
+/// Elements whose crossings turn by more than this (radians) bend so much that smaller quads are worth more
+/// than a vertex on the seam.
+constexpr double kMostSeamTurn = 0.3;
+/// A sharp edge is probed this far to either side; the point found moves by less than this share of what it
+/// would on a smooth surface.
+constexpr double kSharpProbe = 0.05, kSharpStays = 0.4;
+/// Faces that meet at less than this (6 degrees, sine) do not give the direction of their feature edge.
+constexpr double kLeastFeatureSine = 0.1;
+/// Edges that run along a face, to 12 degrees (sine), have no certain point where they meet it.
 constexpr double kGrazing = 0.2;
 
 }  // namespace
 
-/// A face must be seen to turn not much more than between its crossings, if they show how it bends; else
-/// another one of the body is seen.
+/// Least cosine between the normal of a face and the one found by a probe: where crossings show how the face
+/// bends it cannot turn much more than between them. Beyond that the probe found another face of the body.
 double VertexRefiner::leastFacing(std::size_t face) {
   if (facing_[face] == 0.0) {
     const CellFace& f = faces_[face];
@@ -85,11 +92,11 @@ double VertexRefiner::leastFacing(std::size_t face) {
   return facing_[face];
 }
 
-/// Whether a point that is seen of the face's body is what the face goes on as.
-bool VertexRefiner::continues(std::size_t face, const ExactFaces::Foot& foot) {
+/// Whether a point found on the face's body belongs to the face or to its smooth continuation.
+bool VertexRefiner::isContinuedBy(std::size_t face, const ExactFaces::Foot& foot) {
   const CellFace& f = faces_[face];
   return foot.normal.dot(f.normal) >= leastFacing(face) &&
-         (exact_.isOf(foot, f.id) || exact_.isBeside(foot, f.id));
+         (exact_.isOnFace(foot, f.id) || exact_.isOnTangentNeighbour(foot, f.id));
 }
 
 VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
@@ -102,7 +109,7 @@ VertexRefiner::VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces)
     bend_[i] = source.bend;
     cut_ = cut_ || (source.body > ExactFaces::kNoBody && !exact.ofBlank());
     exact_already_ = exact_already_ && (source.isShown() || (!source.simple && flat));
-    // Crossings in one line tell nothing of what is beside it.
+    // Crossings in one line say nothing of what is beside it.
     round_[i] = !source.simple || source.bend >= kMostBendUnseen;
   }
 }
@@ -117,10 +124,11 @@ bool VertexRefiner::needed(bool smooth) const {
   return cut && !one_element && (smooth || oneBody());
 }
 
-bool VertexRefiner::isPastEnd(const Vec3& x) {
+bool VertexRefiner::isBeyondTrim(const Vec3& x) {
   return std::ranges::any_of(faces_, [&](const CellFace& f) {
     const ExactFaces::Source source = exact_.source(f.id);
-    return source.ends && exact_.isRounded(source.body) && exact_.distanceTo(source.body, x) > kOnSurface;
+    return source.ends_at_rims && exact_.isRounded(source.body) &&
+           exact_.distanceTo(source.body, x) > kOnSurface;
   });
 }
 
@@ -131,12 +139,12 @@ bool VertexRefiner::bends() const {
   return false;
 }
 
-bool VertexRefiner::meetFlat(const Vec3& x) {
+bool VertexRefiner::meetAsPlanes(const Vec3& x) {
   if (!cut_ || exact_already_) return cut_;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (body_[i] == ExactFaces::kNoBody) continue;
     const CellFace& f = faces_[i];
-    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kLookFrom * f.normal);
+    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kProbeDepth * f.normal);
     if (foot.normal.dot(f.normal) < kLittleTurned || (foot.p - x).squaredNorm() > kSeenAt * kSeenAt)
       return false;
   }
@@ -157,33 +165,36 @@ bool VertexRefiner::oneBody() const {
   return true;
 }
 
-/// `from`: the normal against which the face is looked at; becomes the one that is seen. `off`: how far the
-/// point that is seen is from `x`.
-bool VertexRefiner::planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off) {
+/// The tangent plane of a face near `x`. `from`: the normal against which the face is probed; receives the
+/// one found. `off`: receives the distance of the point found from `x`. False where the probe finds another
+/// face.
+bool VertexRefiner::tangentPlaneNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off) {
   off = 0.0;
   const CellFace& f = faces_[static_cast<std::size_t>(face)];
   if (body_[face] == ExactFaces::kNoBody) {
     plane = planeAt(f, x);
     return true;
   }
-  const ExactFaces::Foot foot = exact_.foot(body_[face], x - kLookFrom * from);
-  if (!continues(static_cast<std::size_t>(face), foot)) return false;
+  const ExactFaces::Foot foot = exact_.foot(body_[face], x - kProbeDepth * from);
+  if (!isContinuedBy(static_cast<std::size_t>(face), foot)) return false;
   from = foot.normal;
   plane = {foot.normal, foot.normal.dot(foot.p - x)};
   off = (foot.p - x).norm();
   return true;
 }
 
-/// As planeNear, where the body has a ridge at `x`, as an arc has with the wall that it set out from: beyond
-/// it the other face is nearer. Looked at from farther off that, by `part` of kLookAside.
-bool VertexRefiner::planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off) {
+/// As tangentPlaneNear, where the body has a ridge at `x`, as between an arc and the wall where it began:
+/// beyond the ridge the other face is nearer. The probe therefore stands aside of it, by `part` of
+/// kProbeAside.
+bool VertexRefiner::tangentPlaneBesideRidge(int face, const Vec3& x, double part, Vec3& from, Plane& plane,
+                                            double& off) {
   Vec3 others = Vec3::Zero();
   for (const CellFace& other : faces_) others += other.normal;
   const Vec3 aside = others - from.dot(others) * from;
   if (aside.squaredNorm() < kFlatWall * kFlatWall) return false;
-  const double way = part * kLookAside;
-  const ExactFaces::Foot foot = exact_.foot(body_[face], x - way * (aside.normalized() + kLookDown * from));
-  if (!continues(static_cast<std::size_t>(face), foot)) return false;
+  const double way = part * kProbeAside;
+  const ExactFaces::Foot foot = exact_.foot(body_[face], x - way * (aside.normalized() + kProbeDown * from));
+  if (!isContinuedBy(static_cast<std::size_t>(face), foot)) return false;
   from = foot.normal;
   plane = {foot.normal, foot.normal.dot(foot.p - x)};
   off = std::max(0.0, (foot.p - x).norm() - way);
@@ -196,12 +207,12 @@ Vec3 VertexRefiner::meanNormal() const {
   return n.normalized();
 }
 
-/// From a point of a face, one looked at against the mean normal is nearer to the edge.
-bool VertexRefiner::ontoBody(Vec3& x) {
+/// Probing a point of a face again, against the mean normal, finds one nearer to the edge.
+bool VertexRefiner::snapToBodyEdge(Vec3& x) {
   const Vec3 n = meanNormal();
   for (int round = 0; round < kNewtonRounds; ++round) {
-    // A point or edge may face any way between its faces.
-    const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+    // At a feature edge or apex the normal may be any one between those of its faces.
+    const ExactFaces::Foot foot = exact_.foot(body_[0], x - kProbeDepth * n);
     if (foot.normal.dot(n) <= 0.0) return false;
     const double step2 = (foot.p - x).squaredNorm();
     x = foot.p;
@@ -210,8 +221,8 @@ bool VertexRefiner::ontoBody(Vec3& x) {
   return true;
 }
 
-/// The first of the faces of the one body that shows two, if there is just one other face; or -1.
-int VertexRefiner::bodyWithEdge() const {
+/// Of three faces, two of them of one body: the first of these two. Otherwise -1.
+int VertexRefiner::firstFaceOfBodyEdge() const {
   if (faces_.size() != 3) return -1;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -220,8 +231,8 @@ int VertexRefiner::bodyWithEdge() const {
   return -1;
 }
 
-/// Where the edge between faces `first` and the next meets the one after.
-bool VertexRefiner::ontoEdge(int first, Vec3& x) {
+/// The corner where the edge between face `first` and the next one meets the third.
+bool VertexRefiner::snapToCorner(int first, Vec3& x) {
   const CellFace &a = faces_[static_cast<std::size_t>(first)],
                  &b = faces_[static_cast<std::size_t>((first + 1) % 3)];
   const Vec3 n = (a.normal + b.normal).normalized();
@@ -229,10 +240,10 @@ bool VertexRefiner::ontoEdge(int first, Vec3& x) {
   const int third = (first + 2) % 3;
   Vec3 from = faces_[static_cast<std::size_t>(third)].normal;
   for (int round = 0; round < kNewtonRounds; ++round) {
-    const ExactFaces::Foot foot = exact_.foot(body_[first], x - kLookFrom * n);
+    const ExactFaces::Foot foot = exact_.foot(body_[first], x - kProbeDepth * n);
     Plane other;
     double off;
-    if (foot.normal.dot(n) < kSameFacing || !planeNear(third, foot.p, from, other, off)) return false;
+    if (foot.normal.dot(n) < kSameFacing || !tangentPlaneNear(third, foot.p, from, other, off)) return false;
     const double slope = other.n.dot(along);
     if (std::abs(slope) < kGrazing) return false;
     const Vec3 next = foot.p + along * (other.d / slope);
@@ -245,7 +256,7 @@ bool VertexRefiner::ontoEdge(int first, Vec3& x) {
 }
 
 /// Where faces of different bodies meet: Newton's method on their tangent planes.
-bool VertexRefiner::ontoFaces(Vec3& x) {
+bool VertexRefiner::snapToIntersection(Vec3& x) {
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (body_[i] != ExactFaces::kNoBody && body_[i] == body_[j]) return false;
@@ -261,8 +272,8 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
     for (std::size_t i = 0; i < faces_.size(); ++i) {
       double off;
       const int face = static_cast<int>(i);
-      if (!planeNear(face, x, from[i], planes[i], off)) {
-        if (!planeBeside(face, x, part, from[i], planes[i], off)) return false;
+      if (!tangentPlaneNear(face, x, from[i], planes[i], off)) {
+        if (!tangentPlaneBesideRidge(face, x, part, from[i], planes[i], off)) return false;
         aside = part > kLeastAside;
       }
       farthest = std::max(farthest, off);
@@ -272,46 +283,48 @@ bool VertexRefiner::ontoFaces(Vec3& x) {
     if (!(step.squaredNorm() < 1.0)) return false;
     x += step;
     if (aside || step.squaredNorm() >= kRest * kRest) continue;
-    if (round == 0 && again) continue;  // against the normal of its crossings a face is seen beside `x`
-    double between = 0.0;               // faces that meet in no line
+    if (round == 0 && again)
+      continue;            // a probe against the normal of the crossings finds a point beside `x`
+    double between = 0.0;  // faces that meet in no line
     for (std::size_t i = 0; i < faces_.size(); ++i)
       between = std::max(between, std::abs(planes[i].n.dot(step) - planes[i].d));
-    if (between > kBetween) ontoNearest(meanNormal(), x);
-    return farthest < kSeenAt;  // where a face ends, another part of its body is seen, farther off
+    if (between > kBetween) snapToNearestBody(meanNormal(), x);
+    return farthest < kSeenAt;  // beyond a trim the probe finds another part of the body, farther off
   }
   return false;
 }
 
-/// Whether the body has an edge or a point at `x`: seen from several places it stays where it is.
+/// Whether the body has a sharp edge or apex at `x`: probed from several places it stays where it is.
 bool VertexRefiner::isSharp(const Vec3& n, const Vec3& across, const Vec3& x) {
-  const ExactFaces::Foot left = exact_.foot(body_[0], x - kLookFrom * n - kSideStep * across),
-                         right = exact_.foot(body_[0], x - kLookFrom * n + kSideStep * across);
-  return (right.p - left.p).norm() < kStays * 2.0 * kSideStep;
+  const ExactFaces::Foot left = exact_.foot(body_[0], x - kProbeDepth * n - kSharpProbe * across),
+                         right = exact_.foot(body_[0], x - kProbeDepth * n + kSharpProbe * across);
+  return (right.p - left.p).norm() < kSharpStays * 2.0 * kSharpProbe;
 }
 
-/// Whether two of the faces of the one body come to `x`. Between them may be another that a later pass cut
-/// away.
+/// Whether two of the faces of the one body reach `x`. Between them may have been another one that a later
+/// pass cut away.
 bool VertexRefiner::isBetweenFaces(const Vec3& x) {
-  const auto comesTo = [&](const CellFace& f) {
+  const auto reaches = [&](const CellFace& f) {
     Vec3 n = f.normal;
-    for (int look = 0; look < kLooks; ++look) {  // curved faces have other normals than at their crossings
-      const ExactFaces::Foot foot = exact_.foot(body_[0], x - kLookFrom * n);
+    for (int look = 0; look < kProbes;
+         ++look) {  // the normal of a curved face differs from that at its crossings
+      const ExactFaces::Foot foot = exact_.foot(body_[0], x - kProbeDepth * n);
       if ((foot.p - x).squaredNorm() < kSeenOver * kSeenOver) return true;
       if (foot.normal.dot(f.normal) < leastFacing(static_cast<std::size_t>(&f - faces_.data())) ||
-          !exact_.isOf(foot, f.id))
+          !exact_.isOnFace(foot, f.id))
         return false;
       n = foot.normal;
     }
     return false;
   };
-  return std::count_if(faces_.begin(), faces_.end(), comesTo) >= 2;
+  return std::count_if(faces_.begin(), faces_.end(), reaches) >= 2;
 }
 
 bool VertexRefiner::isSmooth(const Vec3& x) {
   Vec3 at = x;
-  if (!oneBody() || !ontoBody(at)) return false;
-  const ExactFaces::Foot foot = exact_.foot(body_[0], at - kLookFrom * meanNormal());
-  const auto isOf = [&](const CellFace& f) { return exact_.isOf(foot, f.id); };
+  if (!oneBody() || !snapToBodyEdge(at)) return false;
+  const ExactFaces::Foot foot = exact_.foot(body_[0], at - kProbeDepth * meanNormal());
+  const auto isOf = [&](const CellFace& f) { return exact_.isOnFace(foot, f.id); };
   if (std::none_of(faces_.begin(), faces_.end(), isOf)) return false;
   Vec3 across = Vec3::Zero();  // where the surface turns most
   for (std::size_t i = 1; i < faces_.size(); ++i) {
@@ -323,54 +336,54 @@ bool VertexRefiner::isSmooth(const Vec3& x) {
   return !isSharp(meanNormal(), across.normalized(), at);
 }
 
-/// Whether there are two faces, nearly flat, which nearly go over into each other.
-bool VertexRefiner::meetGently() const {
-  return faces_.size() == 2 && faces_[0].normal.dot(faces_[1].normal) > kMeetGently &&
-         std::max(faces_[0].spread, faces_[1].spread) < kTurnGently;
+/// Whether there are just two faces, nearly flat, that meet at less than 20 degrees.
+bool VertexRefiner::meetAtShallowAngle() const {
+  return faces_.size() == 2 && faces_[0].normal.dot(faces_[1].normal) > kShallowCos &&
+         std::max(faces_[0].spread, faces_[1].spread) < kShallowSpread;
 }
 
-bool VertexRefiner::toCrease(Vec3& x) {
+bool VertexRefiner::snapToFeature(Vec3& x) {
   Vec3 at = x;
   bool rests;
   if (oneBody()) {
-    // Between the faces may be another one of the body; or another body, where they went on once.
-    rests = ontoBody(at) && (isBetweenFaces(at) || !exact_.isReachedByOthers(body_[0], x));
-  } else if (const int edge = bodyWithEdge(); edge >= 0) {
-    rests = ontoEdge(edge, at);
+    // Another face of the body may lie between the two; or another body may have cut what joined them.
+    rests = snapToBodyEdge(at) && (isBetweenFaces(at) || !exact_.isReachedByOthers(body_[0], x));
+  } else if (const int edge = firstFaceOfBodyEdge(); edge >= 0) {
+    rests = snapToCorner(edge, at);
   } else {
-    rests = ontoFaces(at);
+    rests = snapToIntersection(at);
   }
-  const double most = meetGently() ? kMostMovedGently : kMostMoved;
+  const double most = meetAtShallowAngle() ? kMostMovedShallow : kMostMoved;
   if (!rests || (at - x).squaredNorm() >= most * most) return false;
   x = at;
   return true;
 }
 
-std::optional<Vec3> VertexRefiner::alongCrease(const Vec3& x) {
+std::optional<Vec3> VertexRefiner::featureEdgeDirection(const Vec3& x) {
   if (faces_.size() != 2 || !cut_ || !(round_[0] || round_[1]) || oneBody()) return std::nullopt;
   std::array<Vec3, 2> n;
   for (std::size_t i = 0; i < 2; ++i) {
     n[i] = planeAt(faces_[i], x).n;
     if (body_[i] == ExactFaces::kNoBody) continue;
-    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kLookFrom * n[i]);
-    if (!continues(i, foot)) return std::nullopt;
+    const ExactFaces::Foot foot = exact_.foot(body_[i], x - kProbeDepth * n[i]);
+    if (!isContinuedBy(i, foot)) return std::nullopt;
     n[i] = foot.normal;
   }
   const Vec3 along = n[0].cross(n[1]);
   const double length = along.norm();
-  return length < kLeastCrease ? std::nullopt : std::optional<Vec3>(along / length);
+  return length < kLeastFeatureSine ? std::nullopt : std::optional<Vec3>(along / length);
 }
 
-/// The tangent plane of the body that is nearest to the material at `x`: the surface of them all. False where
-/// it is of a face that may not be seen.
-bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane) {
+/// The tangent plane of the body that is nearest to the material at `x`, which is the surface of them all.
+/// False where it belongs to a face that `seen` does not allow.
+bool VertexRefiner::nearestTangentPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane) {
   double least = std::numeric_limits<double>::infinity();
-  const Vec3 from = x - kLookFrom * n;
+  const Vec3 from = x - kProbeDepth * n;
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     if (body_[i] == ExactFaces::kNoBody) {
       const Plane p = planeAt(faces_[i], x);
-      if (p.d + kLookFrom < least) {
-        least = p.d + kLookFrom;
+      if (p.d + kProbeDepth < least) {
+        least = p.d + kProbeDepth;
         plane = p;
       }
       continue;
@@ -381,11 +394,11 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane&
     const ExactFaces::Foot foot = exact_.foot(body_[i], from);
     const double distance = (foot.p - from).dot(foot.normal);
     if (distance >= least) continue;
-    bool known = false;  // else another body goes on where this face ends
+    bool known = false;  // otherwise another body continues beyond the trim of this face
     for (std::size_t j = i; j < faces_.size(); ++j) {
       if (body_[j] != body_[i]) continue;
-      known = known || (seen == Seen::kSmoothFaces ? foot.normal.dot(faces_[j].normal) > kGoesOver
-                                                   : exact_.isOf(foot, faces_[j].id));
+      known = known || (seen == Seen::kBlendedFaces ? foot.normal.dot(faces_[j].normal) > kBlendCos
+                                                    : exact_.isOnFace(foot, faces_[j].id));
     }
     if (!known) return false;
     least = distance;
@@ -394,75 +407,77 @@ bool VertexRefiner::nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane&
   return plane.n.dot(n) > kSameFacing;
 }
 
-void VertexRefiner::ontoNearest(const Vec3& n, Vec3& x) {
+void VertexRefiner::snapToNearestBody(const Vec3& n, Vec3& x) {
   for (std::size_t i = 0; i < faces_.size(); ++i) {
-    // Between others may be a step, whose sides tell nothing of each other.
+    // Between other bodies there may be a step, whose sides say nothing of each other.
     if (!exact_.isRounded(body_[i])) return;
   }
   Vec3 at = x;
   Plane plane;
   for (int round = 0; round < kNewtonRounds; ++round) {
-    if (!nearestPlane(n, at, Seen::kSmoothFaces, plane)) return;
+    if (!nearestTangentPlane(n, at, Seen::kBlendedFaces, plane)) return;
     at += plane.n * plane.d;
     if (std::abs(plane.d) < kOnSurface) break;
   }
   if ((at - x).squaredNorm() < kLittleMoved * kLittleMoved && std::abs(plane.d) < kOnSurface) x = at;
 }
 
-/// Moves `x` to where, on the body's surface from one place to another, what is seen changes. `kindOf(foot)`:
-/// 0 as it must be at the first place, 1 as at the second. False where that is not in the cell or the surface
-/// breaks.
+/// Bisects the way from one place to another on the body's surface for the point where the kind of what is
+/// found there changes, and moves `x` to it. `kindOf(foot)`: must be 0 at the first place and 1 at the
+/// second. False where the point is not in the cell or the surface breaks there.
 template <typename KindOf>
-bool VertexRefiner::toChange(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x) {
+bool VertexRefiner::snapToTransition(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x) {
   const auto footAt = [&](double part) {
     const Vec3 n = first.n + part * (second.n - first.n), p = first.p + part * (second.p - first.p);
-    return exact_.foot(body_[0], p - kLookFrom * n.normalized());
+    return exact_.foot(body_[0], p - kProbeDepth * n.normalized());
   };
   ExactFaces::Foot before = footAt(0.0), after = footAt(1.0), at = before;
   if (kindOf(before) != 0 || kindOf(after) != 1) return false;
   double from = 0.0, to = 1.0;
-  while (to - from > kAtBorder) {
+  while (to - from > kSeamTolerance) {
     const double part = 0.5 * (from + to);
     at = footAt(part);
     const bool is_first = kindOf(at) == 0;
     (is_first ? from : to) = part;
     (is_first ? before : after) = at;
   }
-  if (before.normal.dot(after.normal) < kUnbroken || outsideBy(at.p) > -kWallGap) return false;
+  if (before.normal.dot(after.normal) < kUnbrokenCos || outsideBy(at.p) > -kWallGap) return false;
   x = at.p;
   return true;
 }
 
-void VertexRefiner::toBorder(Vec3& x) {
-  if (faces_.size() != 2 || !exact_.goOver(faces_[0].id, faces_[1].id)) return;
-  if ((faces_[1].normal - faces_[0].normal).squaredNorm() > kGentleTurn * kGentleTurn) return;
-  // Not as ExactFaces::isOf, which takes the end of a neighbour for the same face.
+void VertexRefiner::snapToSeam(Vec3& x) {
+  if (faces_.size() != 2 || !exact_.areTangentNeighbours(faces_[0].id, faces_[1].id)) return;
+  if ((faces_[1].normal - faces_[0].normal).squaredNorm() > kMostSeamTurn * kMostSeamTurn) return;
+  // Not by ExactFaces::isOnFace, which counts the end of a neighbouring element as the same face.
   const auto kindOf = [&](const ExactFaces::Foot& foot) {
     const auto isOf = [&](const CellFace& f) {
       return static_cast<std::uint64_t>(foot.element) == (f.id & 0xFFFF);
     };
     return isOf(faces_[0]) ? 0 : isOf(faces_[1]) ? 1 : 2;
   };
-  toChange({faces_[0].point, faces_[0].normal}, {faces_[1].point, faces_[1].normal}, kindOf, x);
+  snapToTransition({faces_[0].point, faces_[0].normal}, {faces_[1].point, faces_[1].normal}, kindOf, x);
 }
 
-bool VertexRefiner::toEnd(std::span<const SheetPoint> points, Vec3& x) {
-  // The walls of cones end in points, around which nothing is smooth.
+bool VertexRefiner::snapToSweepEnd(std::span<const SheetPoint> points, Vec3& x) {
+  // Walls swept by cones end in apexes, around which nothing is smooth.
   if (faces_.size() != 1 || exact_.source(faces_[0].id).cone) return false;
-  std::array<int, 3> count{};  // where the way ended, where the tool passed by, where it began
-  for (const SheetPoint& s : points) ++count[1 + exact_.endAt(body_[0], s.p, s.n)];
+  std::array<int, 3> count{};  // where the motion ended, where the tool passed by, where it began
+  for (const SheetPoint& s : points) ++count[1 + exact_.sweepEndAt(body_[0], s.p, s.n)];
   const int end = count[0] > 0 ? 0 : 2;
   if (count[1] == 0 || count[end] == 0 || count[2 - end] > 0) return false;
-  // Along the way the place is nearest: neither nearer to other vertices than need be, nor to walls.
-  const Vec3 n = meanNormal(), way = (end == 0 ? kAlongWay : -kAlongWay) * exact_.directionAt(body_[0], x);
+  // Along the motion the seam is nearest, so the vertex comes no nearer than need be to other vertices and
+  // to walls.
+  const Vec3 n = meanNormal(),
+             way = (end == 0 ? kSweepEndReach : -kSweepEndReach) * exact_.directionAt(body_[0], x);
   const auto kindOf = [&](const ExactFaces::Foot& foot) {
-    const int seen = 1 + exact_.endAt(body_[0], foot.p, foot.normal);
+    const int seen = 1 + exact_.sweepEndAt(body_[0], foot.p, foot.normal);
     return seen == 1 ? 0 : seen == end ? 1 : 2;
   };
-  return toChange({x - way, n}, {x + way, n}, kindOf, x);
+  return snapToTransition({x - way, n}, {x + way, n}, kindOf, x);
 }
 
-void VertexRefiner::toBlank(const Vec3& n, double reach, Vec3& x) const {
+void VertexRefiner::snapToBlank(const Vec3& n, double reach, Vec3& x) const {
   if (!exact_.ofBlank()) return;
   Vec3 way = n;
   for (int k = 0; k < 3; ++k) {
@@ -482,14 +497,14 @@ bool VertexRefiner::isOffBlank(const Vec3& x) const {
   return exact_.ofBlank() && std::abs(exact_.blankValue(x)) > kOffBlank;
 }
 
-bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
+bool VertexRefiner::snapToSurface(const Vec3& n, double beyond, Vec3& x) {
   const double low = kWallGap - beyond, high = 1.0 - kWallGap + beyond;
   Vec3 at = x;
   Plane plane;
   for (int round = 0; round < kNewtonRounds; ++round) {
-    if (!nearestPlane(n, at, Seen::kKnownFaces, plane)) return false;
+    if (!nearestTangentPlane(n, at, Seen::kKnownFaces, plane)) return false;
     Vec3 way = plane.n * (plane.d < 0.0 ? -1.0 : 1.0);
-    for (int k = 0; k < 3; ++k) {  // not through the walls that it lies at
+    for (int k = 0; k < 3; ++k) {  // not through the walls that it lies on
       if ((at[k] <= low && way[k] < 0.0) || (at[k] >= high && way[k] > 0.0)) way[k] = 0.0;
     }
     if (way.squaredNorm() < kFlatWall * kFlatWall) break;
@@ -503,7 +518,7 @@ bool VertexRefiner::toSurface(const Vec3& n, double beyond, Vec3& x) {
   if ((at - x).squaredNorm() >= kMostMoved * kMostMoved) return false;
   x = at;
   const bool held = at.minCoeff() <= low || at.maxCoeff() >= high;
-  return !held || (nearestPlane(n, at, Seen::kKnownFaces, plane) && std::abs(plane.d) < kOnSurface);
+  return !held || (nearestTangentPlane(n, at, Seen::kKnownFaces, plane) && std::abs(plane.d) < kOnSurface);
 }
 
 }  // namespace proveout

@@ -9,83 +9,86 @@
 
 namespace proveout {
 
-/// For the faces of one cell. A point is looked at from a little inside the material, where the distance to a
-/// swept volume is exact and its nearest point on an edge is on the edge.
+/// For the faces of one cell. Bodies are probed from a point a little inside the material: there the
+/// distance to a swept volume is exact, and its nearest point is on an edge where there is one. A seam is
+/// the border where two elements of one tool, or a sweep and the round of its end, meet without a break; a
+/// trim is where a face ends.
 class VertexRefiner {
  public:
   /// `exact` is set to the cell.
   VertexRefiner(ExactFaces& exact, std::span<const CellFace> faces);
 
-  /// Whether crossings and normals do not show the surface exactly. `smooth`: the faces are one smooth
-  /// surface; else findCurvature has seen them.
+  /// Whether crossings and normals alone do not give the surface exactly. `smooth`: the faces are one smooth
+  /// surface; otherwise findCurvature must have been called for them.
   bool needed(bool smooth) const;
 
-  /// Whether a straight face of a rounded tool ends before `x`, where the faces seem to meet: what it goes
-  /// over into meets the others then.
-  bool isPastEnd(const Vec3& x);
-  /// Whether one of the faces is known or seen to bend.
+  /// Whether a straight face of a rounded tool is trimmed before `x`, where the faces seem to meet: the face
+  /// that continues it meets the others then.
+  bool isBeyondTrim(const Vec3& x);
+  /// Whether one of the faces bends, by its body or by its crossings.
   bool bends() const;
-  /// Whether a path cut here and the faces bend little up to `x`, where they meet, as planes do. Faces of the
-  /// blank alone are read alike before and after a path: never true for them.
-  bool meetFlat(const Vec3& x);
+  /// Whether a path cut here and the faces, up to `x` where they meet, bend as little as planes. Never true
+  /// for faces of the blank alone, which must be read the same before and after a path.
+  bool meetAsPlanes(const Vec3& x);
   /// Whether the faces near `x` are one smooth surface although their normals differ.
   bool isSmooth(const Vec3& x);
-  /// Moves `x`, near a crease or corner, to it. False where that finds no rest nearby: `x` stays then.
-  bool toCrease(Vec3& x);
-  /// Which way the crease of two bodies' faces runs at `x`, on it. None of other creases, where both faces
-  /// are nearly flat, and where no pass cut.
-  std::optional<Vec3> alongCrease(const Vec3& x);
-  /// Moves `x` in the cell onto the smooth surface, without leaving the cell by more than `beyond`. `n`: out
-  /// of the material. False if it is not on the surface then.
-  bool toSurface(const Vec3& n, double beyond, Vec3& x);
-  /// Moves `x`, where neither of the two above holds, by a little onto the surface of its faces' bodies, also
-  /// where it is of a face that no crossing shows: one that another goes over into smoothly. `n`: as above.
-  void ontoNearest(const Vec3& n, Vec3& x);
-  /// Moves `x`, on a smooth surface of two elements of one body, along it to where the one goes over into the
-  /// other: quads around it are of one of them each then, which tells how they bend. `x` stays where there is
-  /// no such place in the cell.
-  void toBorder(Vec3& x);
-  /// The same on a surface of one face, to where what the tool left in passing goes over into what it left
-  /// where its way began or ended. False where there is no such place in the cell: `x` stays then.
-  bool toEnd(std::span<const SheetPoint> points, Vec3& x);
-  /// Moves `x` in the cell onto the blank's surface along `n`, out of the material, by `reach` at most and
-  /// without leaving a wall that it lies at. It stays where the surface is not near or the surface is not the
+  /// Moves `x` to the feature edge or corner near it. False, and `x` stays, where the iteration does not
+  /// converge nearby.
+  bool snapToFeature(Vec3& x);
+  /// Direction (unit, either way) of the feature edge between faces of two bodies at `x`, which is on it.
+  /// None for other feature edges, where both faces are nearly flat, and where no pass cut.
+  std::optional<Vec3> featureEdgeDirection(const Vec3& x);
+  /// Moves `x`, in the cell, onto the smooth surface, at most `beyond` out of the cell. `n`: out of the
+  /// material. False if `x` is not on the surface afterwards.
+  bool snapToSurface(const Vec3& n, double beyond, Vec3& x);
+  /// Where neither of the two above succeeds: moves `x` a little, onto the nearest of its faces' bodies.
+  /// That may be on a face without a crossing here, which continues another one smoothly. `n`: as above.
+  void snapToNearestBody(const Vec3& n, Vec3& x);
+  /// Moves `x`, on a smooth surface of two elements of one body, along the surface to the seam between them,
+  /// so that each quad around it lies on one element and its curvature is that of the element. `x` stays
+  /// where the cell has no such place.
+  void snapToSeam(Vec3& x);
+  /// The same on a surface of one face: to the seam between what the tool swept in passing and the round
+  /// that it left where its motion began or ended. False, and `x` stays, where the cell has no such place.
+  bool snapToSweepEnd(std::span<const SheetPoint> points, Vec3& x);
+  /// Moves `x`, in the cell, along `n` (out of the material) onto the blank's surface, by `reach` at most
+  /// and without leaving a cell wall that it lies on. `x` stays where the surface is not near or is not the
   /// blank's.
-  void toBlank(const Vec3& n, double reach, Vec3& x) const;
-  /// Whether the surface is the blank's and `x` is off it: a face between those of the cell meets none of its
-  /// edges.
+  void snapToBlank(const Vec3& n, double reach, Vec3& x) const;
+  /// Whether the surface is the blank's and `x` is off it, as where a face between those of the cell crosses
+  /// none of its edges.
   bool isOffBlank(const Vec3& x) const;
 
  private:
   double leastFacing(std::size_t face);
-  bool continues(std::size_t face, const ExactFaces::Foot& foot);
+  bool isContinuedBy(std::size_t face, const ExactFaces::Foot& foot);
   bool bendsAreSeen() const;
   bool oneBody() const;
-  bool meetGently() const;
+  bool meetAtShallowAngle() const;
   Vec3 meanNormal() const;
-  int bodyWithEdge() const;
-  bool ontoBody(Vec3& x);
-  bool ontoEdge(int first, Vec3& x);
-  bool ontoFaces(Vec3& x);
-  bool planeNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
-  bool planeBeside(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off);
+  int firstFaceOfBodyEdge() const;
+  bool snapToBodyEdge(Vec3& x);
+  bool snapToCorner(int first, Vec3& x);
+  bool snapToIntersection(Vec3& x);
+  bool tangentPlaneNear(int face, const Vec3& x, Vec3& from, Plane& plane, double& off);
+  bool tangentPlaneBesideRidge(int face, const Vec3& x, double part, Vec3& from, Plane& plane, double& off);
   bool isBetweenFaces(const Vec3& x);
   bool isSharp(const Vec3& n, const Vec3& across, const Vec3& x);
-  /// A place on a surface and the normal that is seen there.
+  /// A point of a surface and its normal there.
   struct Place {
     Vec3 p, n;
   };
   template <typename KindOf>
-  bool toChange(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x);
-  enum class Seen : std::uint8_t { kKnownFaces, kSmoothFaces };
-  bool nearestPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane);
+  bool snapToTransition(const Place& first, const Place& second, const KindOf& kindOf, Vec3& x);
+  enum class Seen : std::uint8_t { kKnownFaces, kBlendedFaces };
+  bool nearestTangentPlane(const Vec3& n, const Vec3& x, Seen seen, Plane& plane);
 
   ExactFaces& exact_;
   std::span<const CellFace> faces_;
   std::array<std::int64_t, 12> body_;
-  std::array<bool, 12> round_;     ///< it may bend by more than creases may miss
-  std::array<double, 12> bend_;    ///< curvature of simple faces, as ExactFaces tells
-  std::array<double, 12> facing_;  ///< as leastFacing tells; 0: not asked for yet
+  std::array<bool, 12> round_;     ///< it may bend by more than a feature edge may be off
+  std::array<double, 12> bend_;    ///< curvature of simple faces, from ExactFaces::Source
+  std::array<double, 12> facing_;  ///< result of leastFacing; 0: not asked for yet
   bool cut_ = false;               ///< a pass made one of the faces
   bool exact_already_ = true;      ///< crossings and normals show all faces exactly, each for itself
 };

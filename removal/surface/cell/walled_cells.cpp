@@ -1,5 +1,5 @@
-// Cells that keep what is in them from what is in others, and vertices that may be in the way of other
-// surface: the part of SurfaceGrid that repair asks for.
+// The part of SurfaceGrid that repair uses: cells that are separated from others, and vertices that may be
+// in the way of other surface.
 #include <algorithm>
 
 #include "core/base/assert.h"
@@ -12,8 +12,8 @@ namespace proveout {
 
 namespace {
 
-/// Vertices out by no more (in cells), as those on soft creases are, are in nothing's way as long as they
-/// keep this far before the vertex behind the wall.
+/// Vertices outside by kSoftReach at most (in cells), as on shallow feature edges, are in nothing's way as
+/// long as they stay kRoom before the vertex beyond the wall.
 constexpr float kSoftReach = 0.051f, kRoom = 0.02f;
 }  // namespace
 
@@ -42,8 +42,8 @@ bool SurfaceGrid::crowds(const SurfaceLeaf& leaf, int place) const {
   return toFloat(side) * (vertices_[cell][axis] + between - p[axis]) < kRoom;
 }
 
-/// Cones over the sheets of one cell do not meet if their tips are in the middle of their crossings and the
-/// lines on the walls are straight: sheets are apart by planes between corners.
+/// Moves the vertices of the sheets to the middle of their crossings: as planes between corners separate the
+/// sheets, the cones over straight lines on the walls then do not meet.
 void SurfaceGrid::drawSheetsIn(SurfaceLeaf& leaf, std::uint32_t cell, const Coord& at) {
   const CellCycles cycles = cellCycles(shapes_[cell]);
   std::array<Eigen::Vector3f, 4> sum;

@@ -12,18 +12,18 @@ namespace proveout {
 
 namespace {
 
-/// A part in which one face lies is halved so many times and then cut by its tangent plane; where several
-/// meet, so many times.
+/// How often a part is halved before it is cut by the tangent plane: where one face lies in it, and where
+/// several meet.
 constexpr int kPlaneDepth = 4, kMostDepth = 5;
-/// From the middle of a cube to its corners, of its edge.
+/// Distance from the middle of a cube to its corners, by its edge.
 constexpr double kRadius = 0.8660254037844387;
-/// Normals lean from the planes of the axes by this at the least, as the formula divides by it.
+/// Normals are made to lean from the planes of the axes by at least this, as the formula divides by it.
 constexpr double kLean = 1e-3;
 
-/// The distance to a helix takes as long as so many to lines.
+/// The distance to a helix takes as long as this many to lines.
 constexpr std::size_t kAsksOfACurve = 20;
 
-/// The part of a cube with edges of 1 that lies under a plane, `height` above its middle; `n`: unit normal.
+/// The part of a unit cube that lies under a plane, `height` above its middle; `n`: unit normal.
 double shareUnder(double height, const Vec3& n) {
   const Vec3 a = n.cwiseAbs().cwiseMax(kLean);
   const double from_lowest = height + 0.5 * a.sum();
@@ -40,7 +40,8 @@ double shareUnder(double height, const Vec3& n) {
   return std::clamp(sum / (6.0 * a.prod()), 0.0, 1.0);
 }
 
-/// As SweptField::sample, with a distance to the tangent plane also inside: it is looked at from outside.
+/// As SweptField::sample, but also inside with the distance to a tangent plane, found by probing from
+/// outside.
 SweepSample samplePlane(const SweptField& sweep, const Vec3& p, double reach) {
   SweepSample s = sweep.sample(p);
   if (s.value >= 0.0) return s;
@@ -77,7 +78,7 @@ std::optional<double> CellMaterial::share(const Vec3& low) {
   return shareOf({middle, impl_.h, 0, true}, 0, kept_.size());
 }
 
-/// `begin` to `end`: of kept_, the bodies that may come to the part.
+/// `begin` to `end`: the bodies in kept_ that may reach the part.
 double CellMaterial::shareOf(Part part, std::size_t begin, std::size_t end) {
   const double radius = kRadius * part.edge;
   if (part.at_blank) {
@@ -110,7 +111,7 @@ double CellMaterial::shareOf(Part part, std::size_t begin, std::size_t end) {
   return sum;
 }
 
-/// Of several faces the one that leaves least stands for all.
+/// Of several faces, the one that leaves least material stands for all.
 double CellMaterial::cutByPlanes(const Part& part, std::size_t begin) const {
   double least = 1.0;
   for (std::size_t i = begin; i < kept_.size(); ++i) {
@@ -124,9 +125,9 @@ double CellMaterial::cutByPlanes(const Part& part, std::size_t begin) const {
   return least;
 }
 
-/// Cones from the middle of the cell to its walls, as far as material is there, and to the pieces of the
-/// quads that are its own: triangles between a crossing, its vertex, and the place where the way to the
-/// vertex of the next cell goes through the wall.
+/// The sum of cones from the middle of the cell: to the material parts of its walls, and to its own pieces
+/// of the quads, which are triangles of a crossing, the vertex of the cell, and the point where the line to
+/// the vertex of the next cell goes through the wall.
 double CellUnderSurface::share(const Coord& cell) {
   cell_ = cell;
   const std::optional<std::uint32_t> number = grid_.cellAt(cell);
@@ -147,7 +148,7 @@ double CellUnderSurface::share(const Coord& cell) {
 /// `corners`: counter-clockwise from outside.
 double CellUnderSurface::wall(const Corners& corners, int axis, int side) const {
   if (std::all_of(corners.begin(), corners.end(), [&](int c) { return isIn(c); })) return 1.0 / 6.0;
-  // Of a joined face all is material but what the surface cuts off at the other corners.
+  // A joined face is all material but for what the surface cuts off at the other corners.
   const bool joined = isJoined(shape_, axis, side > 0 ? 1 : 0);
   const auto isOfPiece = [&](int i) { return isIn(corners[i % 4]) != joined; };
   double sum = 0.0;
@@ -160,7 +161,8 @@ double CellUnderSurface::wall(const Corners& corners, int axis, int side) const 
   return joined ? 1.0 / 6.0 - sum : sum;
 }
 
-/// `from` to `to`: neighbouring corners in material, or all not; those before and after are the other way.
+/// `from` to `to`: a run of neighbouring corners that are all in material, or all not; the corners before
+/// and after it are the opposite.
 double CellUnderSurface::pieceAtWall(const Corners& corners, int from, int to, int axis, int side) const {
   const int before = corners[(from + 3) % 4], start = corners[from];
   const Vec3 first = crossing(before, start), last = crossing(corners[to % 4], corners[(to + 1) % 4]);
@@ -183,7 +185,8 @@ double CellUnderSurface::pieceAtWall(const Corners& corners, int from, int to, i
   return sum + cone(last, through, first) + cone(own, through, last) + cone(own, first, through);
 }
 
-/// What the surface bulges out of the triangles around a crossed edge; a quarter is each cell's.
+/// By how much the surface bulges out of the triangles around a crossed edge; a quarter belongs to each
+/// cell.
 double CellUnderSurface::bulge(int edge) const {
   const int axis = edge / 4, u = (axis + 1) % 3, v = (axis + 2) % 3, start = edgeStartCorner(edge);
   const Coord at = stepped(cell_, start);
@@ -207,7 +210,7 @@ double CellUnderSurface::bulge(int edge) const {
   return quadVolume(quad.p, quad.middle, quad.normal, quad.middle, smooth_corners).volume;
 }
 
-/// Of the edge between two corners; from the middle of the cell.
+/// The crossing of the edge between two corners, from the middle of the cell.
 Vec3 CellUnderSurface::crossing(int from, int to) const {
   const int axis = axisBetween(from, to), start = from & to;
   Vec3 p = placeOf(start);
@@ -215,8 +218,8 @@ Vec3 CellUnderSurface::crossing(int from, int to) const {
   return p;
 }
 
-/// That of a cell's sheet that crosses an edge of it; from the middle of the own cell. `smooth`: receives
-/// whether a smooth face runs through the cell.
+/// The vertex of a cell's sheet that crosses an edge of it, from the middle of the own cell. `smooth`:
+/// receives whether a smooth face runs through the cell.
 Vec3 CellUnderSurface::vertex(const Coord& cell, int edge, bool* smooth) const {
   const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(read_.state(cell & ~7))];
   const std::uint32_t number = leaf.cellAt((cell.z() & 7) << 6 | leafBit(cell.x() & 7, cell.y() & 7));

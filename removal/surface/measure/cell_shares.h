@@ -1,4 +1,4 @@
-// How much of a cell is material: in truth, and under the surface that its crossings make.
+// How much of a cell is material: exactly, and under the surface that its crossings make.
 #pragma once
 
 #include <optional>
@@ -13,11 +13,11 @@ namespace proveout {
 class CellMaterial {
  public:
   explicit CellMaterial(const Stock::Impl& impl) : impl_(impl) {}
-  /// Part of the volume of the cell with this lowest corner, off by a thousandth about: the cell is halved on
-  /// all axes until one face lies in a part, which is a plane there, or the parts are small. None where no
-  /// tool came: the cell is as it was.
+  /// The part (0 to 1) of the cell with this lowest corner (mm) that is material, to about a thousandth: the
+  /// cell is halved on all axes until only one face lies in a part, taken as a plane there, or the parts are
+  /// small. None where no tool reached: the cell is as it was.
   std::optional<double> share(const Vec3& low);
-  /// How often a body's distance was asked for, those of curves by what they take.
+  /// How often a body's distance was asked for; those of curves are weighted by what they cost.
   std::size_t asked() const { return asked_; }
 
  private:
@@ -31,8 +31,9 @@ class CellMaterial {
   double cutByPlanes(const Part& part, std::size_t begin) const;
 
   const Stock::Impl& impl_;
-  std::vector<SweptField> sweeps_;   ///< of the bodies that come to the cell
-  std::vector<std::uint16_t> kept_;  ///< a stack of those that come to a part, to the part it is of, ...
+  std::vector<SweptField> sweeps_;  ///< of the bodies that reach the cell
+  std::vector<std::uint16_t>
+      kept_;  ///< a stack: those that reach a part, those that reach the part around it, ...
   std::size_t asked_ = 0;
 };
 
@@ -40,8 +41,8 @@ class CellMaterial {
 class CellUnderSurface {
  public:
   explicit CellUnderSurface(const SurfaceGrid& grid) : grid_(grid), read_(grid.impl()) {}
-  /// Part of the cell's volume; where vertices leave their cells it may be below 0 or above 1, and is made up
-  /// for in those beside it.
+  /// Part of the cell's volume. Where vertices leave their cells it may be below 0 or above 1; the cells
+  /// beside it make up for that.
   double share(const Coord& cell);
 
  private:

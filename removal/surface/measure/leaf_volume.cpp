@@ -46,7 +46,7 @@ class LeafMeter {
     const Vec3 center = (impl.blank.center() - impl.position(leaf.stock->origin)) / impl.h;
     QuadReader reader(grid_);
     reader.load(leaf);
-    if (volume != nullptr) reader.loadCreases();
+    if (volume != nullptr) reader.loadFeatureEdges();
     Quad quad;
     bool whole = true;
     if (planner_ != nullptr) quads.states.reserve(leaf.edges.count);
@@ -57,7 +57,7 @@ class LeafMeter {
       }
       if (volume != nullptr) {
         const QuadVolume cone = quadVolume(quad.p, quad.middle, quad.normal, center, quad.smooth_corners,
-                                           reader.creasesOf(quad, axis, x, y, z));
+                                           reader.featureEdgesOf(quad, axis, x, y, z));
         volume->volume += cone.volume;
         volume->error += cone.error;
       }

@@ -10,30 +10,33 @@ namespace {
 
 /// Heights below this part of the distance come from the rounding of the stored normal.
 constexpr double kFlatSlope = 6e-5;
-/// Corners of a parallelogram leave one curvature open (which then does not matter); this, by the mean square
-/// of the equations' terms, keeps it at zero.
+/// Corners of a parallelogram leave one curvature open (which then does not matter). This weight, relative
+/// to the mean square of the equations' terms, keeps it at zero.
 constexpr double kOpen = 1e-5;
-/// Of the determinant of the equations, by the third power of the terms' mean: where less is known of one
-/// curvature, what single chords bend is not.
+/// Least determinant of the equations, relative to the third power of the terms' mean: below it one
+/// curvature is not known, nor how single chords bend.
 constexpr double kLeastKnown = 1e-3;
-/// A surface that bends more than this inside a cell is not smooth there; rather no bulge than a wrong one.
+/// A surface that bends more than this inside a cell is not smooth there, and gets no bulge rather than a
+/// wrong one.
 constexpr double kSteepest = 0.7;
-/// By which a sum of errors is multiplied: found on 100 random jobs against grids four times as fine, where
-/// without any other word the volume was off by 0.2 % or more of what was removed.
+/// Factor on the sum of errors: found on 100 random jobs against grids four times as fine, where without any
+/// other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
-/// Where corners lie at a smaller slope the surface bends as a quadratic does: the next term is less than
-/// 1e-4 of the bulge.
+/// Where corners lie at a smaller slope than this the surface bends as a quadratic: the next term is less
+/// than 1e-4 of the bulge.
 constexpr double kQuarticSlope = 0.01;
-/// A face that seems to turn by more up to a corner is none that this describes.
+/// The quartic term does not describe a face that seems to turn by more than this (radians) up to a corner.
 constexpr double kMostTurned = 1.0;
-/// A corner beyond a crease is off the tangent plane by this much more than the square of its distance makes
-/// of the corners on this side.
+/// A corner beyond a feature edge is off the tangent plane by this many times what the corners on this side
+/// are, in proportion to the square of the distance.
 constexpr double kBreak = 4.0;
-/// And it is seen at this slope at least (6 degrees).
+/// And it lies at this slope at least (6 degrees).
 constexpr double kBreakSlope = 0.1;
-/// Creases that lean more (60 degrees) from the chord of two corners do not join these.
+/// A feature edge that leans more than this (60 degrees, cosine) from the chord of two corners does not join
+/// them.
 constexpr double kLeastAlong = 0.5;
-/// Corners that are all on one crease but one show no break: the part on this side is a sliver then.
+/// If all corners but one are on one feature edge there is no break: the part on this side has less than
+/// this share, a sliver.
 constexpr double kOwnShare = 0.1;
 
 /// A piece of surface as seen from its crossing.
@@ -84,7 +87,7 @@ class BendFit {
     whole_ = determinant > kLeastKnown * mean * mean * mean;
   }
 
-  /// Whether the corners tell all three curvatures.
+  /// Whether the corners determine all three curvatures.
   bool whole() const { return whole_; }
 
   Bend of(const std::array<double, 4>& height) const {
@@ -111,15 +114,15 @@ double twiceArea(const Piece& p, int a, int b, int c) {
   return (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
 }
 
-/// The corner beyond a crease that joins the two beside it; -1 where there is none.
-int beyondCrease(Piece& p, const Vec3& normal, unsigned smooth_corners) {
-  const unsigned creased = ~smooth_corners & 0xF;
-  if ((creased & 0x5) != 0x5 && (creased & 0xA) != 0xA) return -1;
+/// The corner beyond a feature edge that joins the two corners beside it; -1 where there is none.
+int cornerBeyondEdge(Piece& p, const Vec3& normal, unsigned smooth_corners) {
+  const unsigned on_feature = ~smooth_corners & 0xF;
+  if ((on_feature & 0x5) != 0x5 && (on_feature & 0xA) != 0xA) return -1;
   std::array<double, 4> bend;  // half of what it would take to reach the corner
   for (int i = 0; i < 4; ++i) bend[i] = std::abs(p.height[i]) / p.d[i].squaredNorm();
   const auto other = static_cast<int>(std::max_element(bend.begin(), bend.end()) - bend.begin());
   const unsigned beside = other % 2 == 0 ? 0xA : 0x5;
-  if ((creased & beside) != beside) return -1;
+  if ((on_feature & beside) != beside) return -1;
   for (int i = 0; i < 4; ++i) {
     if (i != other && kBreak * bend[i] > bend[other]) return -1;
   }
@@ -152,7 +155,7 @@ double bulgeAround(const Piece& p, const Bend& bend) {
 
 /// The bulges of two quads end above the chord that they share in walls along their own normals. Between
 /// these and the surface's normal there is a wedge left, of half the square of the height above the chord by
-/// the angle. Chords of two creased corners are left out: what is beyond them is of another face.
+/// the angle. Chords between two corners on feature edges are left out: beyond them is another face.
 double wedgesAround(const Piece& p, const Bend& bend, unsigned smooth_corners) {
   double sum = 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -166,9 +169,9 @@ double wedgesAround(const Piece& p, const Bend& bend, unsigned smooth_corners) {
   return -sum / 240.0;
 }
 
-/// How far the middle of a crease is off its chord: that of the cubic which runs as the crease does at both
-/// ends. 0 where these are not the ends of one.
-Vec3 creaseOff(const Vec3& chord, const Vec3& from, const Vec3& to) {
+/// The sagitta of a feature edge, from the middle of its chord: that of the cubic with the directions of the
+/// edge at both ends. 0 where these are not the ends of one edge.
+Vec3 featureEdgeSagitta(const Vec3& chord, const Vec3& from, const Vec3& to) {
   const double length = chord.norm(), a = from.dot(chord), b = to.dot(chord);
   if (std::min(std::abs(a), std::abs(b)) <= kLeastAlong * length) return Vec3::Zero();
   const Vec3 at_start = from * (length / a) - chord / length, at_end = to * (length / b) - chord / length;
@@ -176,13 +179,13 @@ Vec3 creaseOff(const Vec3& chord, const Vec3& from, const Vec3& to) {
   return length / 8.0 * (at_start - at_end);
 }
 
-/// The bulge ends above the chord of corners `a` and `b`, the surface at their crease. Between both is a
-/// strip of the height above the chord by the crease's distance from it: half of that, over a parabola's
-/// square.
-double sliverAlong(const Piece& p, const Vec3& normal, const Bend& bend, const std::array<Vec3, 4>& creases,
-                   int a, int b) {
-  if (creases[a] == Vec3::Zero() || creases[b] == Vec3::Zero()) return 0.0;
-  const Vec3 edge = p.d[b] - p.d[a], off = creaseOff(edge, creases[a], creases[b]);
+/// The bulge ends above the chord of corners `a` and `b`, but the surface at their feature edge. The sliver
+/// between them is as high as the bulge above the chord and as wide as the distance of the edge from it:
+/// half of that, over a parabola's square.
+double sliverAlong(const Piece& p, const Vec3& normal, const Bend& bend,
+                   const std::array<Vec3, 4>& feature_edges, int a, int b) {
+  if (feature_edges[a] == Vec3::Zero() || feature_edges[b] == Vec3::Zero()) return 0.0;
+  const Vec3 edge = p.d[b] - p.d[a], off = featureEdgeSagitta(edge, feature_edges[a], feature_edges[b]);
   if (off == Vec3::Zero()) return 0.0;
   const Vec3 right = edge.cross(normal);  // out of the piece
   const double mx = 0.5 * (p.x[a] + p.x[b]), my = 0.5 * (p.y[a] + p.y[b]);
@@ -194,9 +197,9 @@ double sliverAlong(const Piece& p, const Vec3& normal, const Bend& bend, const s
 }
 
 double sliversAround(const Piece& p, const Vec3& normal, const Bend& bend,
-                     const std::array<Vec3, 4>& creases) {
+                     const std::array<Vec3, 4>& feature_edges) {
   double sum = 0.0;
-  for (int i = 0; i < 4; ++i) sum += sliverAlong(p, normal, bend, creases, i, (i + 1) % 4);
+  for (int i = 0; i < 4; ++i) sum += sliverAlong(p, normal, bend, feature_edges, i, (i + 1) % 4);
   return sum;
 }
 
@@ -243,7 +246,7 @@ double roundBulge(const Piece& p, const BendFit& fit, const Bend& first, unsigne
   return bulge;
 }
 
-/// Two triangles that meet in the crease, beyond which corner `other` is.
+/// Two triangles that meet in the feature edge, beyond which corner `other` is.
 double brokenVolume(const Piece& p, const Vec3& from, int other) {
   const int a = (other + 1) % 4, own = (other + 2) % 4, c = (other + 3) % 4;
   const auto cone = [&](int i, int j, int k) {
@@ -255,7 +258,7 @@ double brokenVolume(const Piece& p, const Vec3& from, int other) {
 }  // namespace
 
 QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, const Vec3& normal,
-                      const Vec3& apex, unsigned smooth_corners, const std::array<Vec3, 4>& creases) {
+                      const Vec3& apex, unsigned smooth_corners, const std::array<Vec3, 4>& feature_edges) {
   Piece p;
   bool flat = true;
   double slope2 = 0.0, between = 0.0;
@@ -273,7 +276,7 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   if (flat) return {cones, 0.0};
   const bool steep = slope2 > kSteepest * kSteepest;
   const double error = kErrorFactor * between * 0.5 * area.norm() * (steep ? 1.0 : slope2);
-  if (const int other = beyondCrease(p, normal, smooth_corners); other >= 0)
+  if (const int other = cornerBeyondEdge(p, normal, smooth_corners); other >= 0)
     return {brokenVolume(p, from, other), error};
   if (steep) return {cones, error};
   p.findPlane(normal);
@@ -281,7 +284,7 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   const Bend bend = fit.of(p.height);
   const double bulge = slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p, fit, bend, smooth_corners)
                                                               : bulgeAround(p, bend);
-  return {cones + bulge + sliversAround(p, normal, bend, creases), error};
+  return {cones + bulge + sliversAround(p, normal, bend, feature_edges), error};
 }
 
 }  // namespace proveout

@@ -13,27 +13,29 @@ namespace proveout {
 namespace {
 
 constexpr std::uint16_t kThin = CellTraits::kOff | CellTraits::kManySheets;
-/// Parts of a cell: what the rules on crossings may leave; what may go on beside it; what is told of as thin.
+/// Parts of a cell that may be missed: by the rules on crossings; before the cells beside it are looked at
+/// as well; before the cell is reported as thin.
 constexpr double kLittle = 0.005, kSpreads = 0.01, kMuch = 0.05;
-/// Of what is missed it is known but for this part; where nothing is known this part of a cell is missed.
+/// How uncertain what is missed is: this part of it; where nothing is known, this part of a cell.
 constexpr double kUnsure = 0.05, kUnknown = 0.1;
-/// A part with more doubtful cells than this, or in which bodies have to be asked for their distance more
-/// often than so often and by cell, is too fine for its grid in many places: it is told of alone. Some cells
-/// looked at and others not would be no better than none. Asking takes some 0.1 microseconds.
+/// A part with more doubtful cells than this, or in which bodies must be asked for their distance more often
+/// than this (in all, and per cell), is too fine for its grid in many places, and only an error is reported:
+/// looking at some cells and not at others would be no better than looking at none. Asking takes some 0.1
+/// microseconds.
 constexpr std::size_t kMostDoubtful = 300, kMostAsked = 5'000'000, kAskedFirst = 600'000, kAskedACell = 1000;
-/// Cells between two looks at what was asked.
+/// Cells between two checks of how often was asked.
 constexpr std::size_t kBatch = 16;
-/// More thin cells than this are a part that is too thin for its grid in many places: they are told of alone.
+/// With more thin cells than this a part is too thin for its grid in many places: they are only reported.
 constexpr std::size_t kFewThin = 10;
-/// On grids with no more cells than this all are looked at that the path left with an edge or a step: the
-/// work is little then, and cells are large.
+/// On grids with no more cells than this all that the path left with an edge or a step are looked at: that
+/// is little work, and cells are large.
 constexpr std::size_t kSmallGrid = 20'000, kAskedSmall = 800'000;
-/// Part of a cell by which each that is looked at may be off: by the planes that it is cut with, and as
-/// little that is missed does not count.
+/// Part of a cell by which each that is looked at may be off: it is cut with planes, and what is missed does
+/// not count where it is little.
 constexpr double kOfLook = 1e-3;
-/// Part of a cell that the one vertex of a step may be off.
+/// Part of a cell by which the single vertex of a step may be off.
 constexpr double kOfStep = 0.01;
-/// Part of a cell by which each with an edge of a saved stock may be off, together: mostly they cancel.
+/// Part of a cell by which each with an edge of a saved stock adds to the error of all: mostly they cancel.
 constexpr double kOfUnknownEdge = 0.003;
 
 struct ByPlace {
@@ -43,7 +45,7 @@ struct ByPlace {
 };
 using Places = std::set<Coord, ByPlace>;
 
-/// Where the surface may be elsewhere than its crossings tell.
+/// Cells where the surface may be elsewhere than its crossings show.
 struct Doubtful {
   std::vector<Coord> misses;  ///< a face ends before the vertex
   std::vector<Coord> thin;    ///< several sheets, or a vertex off the surface
@@ -51,8 +53,8 @@ struct Doubtful {
   std::vector<Coord> edges;  ///< all others through which no smooth face runs; of small grids only
 };
 
-/// Whether the last path made a crossing of the cell, or took what is at its vertex without making one: where
-/// it is known what was cut, that alone puts the vertex of such a cell off the surface.
+/// Whether the last path made a crossing of the cell, or cut away what is at its vertex without making one:
+/// where it is known what was cut, only that puts the vertex of such a cell off the surface.
 bool isCut(const SurfaceGrid& grid, const Coord& cell, std::uint16_t traits) {
   if ((traits & CellTraits::kOff) != 0 && grid.impl().cut_blank != nullptr) return true;
   for (int edge = 0; edge < 12; ++edge) {
@@ -97,15 +99,15 @@ bool isThin(const SurfaceGrid& grid, const Coord& at) {
   return cell && (grid.traits(*cell) & kThin) != 0;
 }
 
-/// What cells took, and what they may take.
+/// The work that cells took, and what they may take.
 struct Work {
   std::size_t cells = 0, asked = 0;
   std::size_t most = kMostAsked;
   bool tooMuch() const { return asked > std::min(most, kAskedFirst + cells * kAskedACell); }
 };
 
-/// What cells are beyond what is under the surface, in parts of a cell. Empty where it takes too much.
-/// `work`: what others took, and receives this.
+/// Material of cells beyond what is under the surface, in parts of a cell. Empty where finding it takes too
+/// much work. `work`: what others took; receives this as well.
 std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, const SurfaceGrid& grid,
                                             Work& work, Progress& progress) {
   std::vector<double> missed(cells.size());
@@ -121,7 +123,7 @@ std::optional<std::vector<double>> missedIn(const std::vector<Coord>& cells, con
       asked[i] = material.asked();
     });
     for (std::size_t i = begin; i < end; ++i) sum += asked[i];
-    // What all will take, if the others take as much as these.
+    // What all will take if the others take as much as these.
     const std::size_t all = work.asked + sum * cells.size() / end;
     if (Work{work.cells + cells.size(), all, work.most}.tooMuch()) return std::nullopt;
   }
@@ -142,8 +144,8 @@ void count(const SurfaceGrid& grid, const Coord& cell, ThinCells& thin) {
   thin.first = grid.impl().position(cell) + Vec3::Constant(0.5 * grid.impl().h);
 }
 
-/// What cells are beyond what is under the surface, and those beside them as long as something is missed.
-/// Empty where that takes too much.
+/// The same of cells and of those beside them, as long as something is missed. Empty where that takes too
+/// much work.
 std::optional<UnseenVolume> missedAround(std::vector<Coord> cells, const SurfaceGrid& grid,
                                          std::size_t most_asked, Progress& progress) {
   const double cell = std::pow(grid.impl().h, 3);

@@ -8,21 +8,22 @@
 namespace proveout {
 
 struct UnseenVolume {
-  double mm3 = 0.0;           ///< material that there is more than under the surface
-  double error_mm3 = 0.0;     ///< by how much it may be off, about
+  double mm3 = 0.0;           ///< material beyond what is under the surface
+  double error_mm3 = 0.0;     ///< about how much it may be off
   std::size_t looked_at = 0;  ///< cells
-  /// Cells which do not count as thin by themselves, but of which much is missed; middle of the first, mm.
+  /// Cells of which much is missed although they do not count as thin by themselves; middle of the first,
+  /// mm.
   ThinCells thin{};
 };
 
-/// By how much the volume may be off, about, because an edge lies somewhere in a cell of which only crossings
-/// are known, mm3.
+/// About how much the volume may be off, mm3, because only crossings are known of cells in which an edge
+/// lies.
 double unknownBesideEdges(const SurfaceGrid& grid);
 
-/// Compares what is left in truth with what is under the surface: in the cells where a face ends before the
-/// vertex, in thin ones if they are few, then in those beside them as long as something is missed. Where it
-/// is not known what was cut, and from what, or where that is much work, there is an error alone. Empty when
-/// cancelled. Does not depend on threads.
+/// Compares the material that is left with what is under the surface: in the cells where a face is trimmed
+/// before the vertex, in thin ones if they are few, then in those beside them as long as something is
+/// missed. Gives an error alone where it is not known what was cut, and from what, or where this is much
+/// work. Empty when cancelled. Does not depend on threads.
 UnseenVolume unseenVolume(const SurfaceGrid& grid, Progress& progress);
 
 }  // namespace proveout

@@ -91,8 +91,9 @@ void markFans(const LeafMesh& mesh, std::size_t leaf, std::vector<std::uint8_t>&
 
 }  // namespace
 
-TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
-                           const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts) {
+TrianglePairs findSelfIntersections(const LeafMesh& mesh, const SurfaceGrid& grid,
+                                    const std::vector<std::uint8_t>& unchecked,
+                                    const std::vector<Box3>& doubts) {
   const TriMesh& all = mesh.mesh;
   std::vector<std::uint8_t> corner(all.positions.size(), 0), suspect(all.triangles.size(), 0);
   if (!doubts.empty()) flagInside(all, doubts, corner);

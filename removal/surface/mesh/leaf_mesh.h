@@ -16,7 +16,7 @@ namespace proveout {
 struct LeafPart {
   std::size_t first_triangle = 0;
   std::uint32_t triangles = 0;  ///< without those of fans
-  std::size_t first_fan = 0;    ///< first triangle of its fans, which go on to the next leaf's
+  std::size_t first_fan = 0;    ///< first triangle of its fans, which end where the next leaf's begin
   std::uint32_t first_vertex = 0;
   std::uint32_t vertices = 0;  ///< of its cells that stand for themselves
   std::size_t lastTriangle() const { return first_triangle + triangles; }  ///< the one after it
@@ -61,28 +61,29 @@ struct LeafMesh {
   const SplitQuad& fanOf(std::uint32_t vertex) const { return *fan_at[vertex - firstOfFans()]; }
 };
 
-/// Whether the numbers are dense: each vertex of a cell has its cell, which has that number, each triangle
-/// three different vertices of the mesh, each vertex a place.
+/// Whether the numbers are dense: each vertex of a cell has its cell, which has that number; each triangle
+/// has three different vertices of the mesh; each vertex has a position.
 bool isDense(const LeafMesh& mesh);
 
 /// Flags of the vertices of triangles in leaves with this flag, and of all fans.
 std::vector<std::uint8_t> verticesOf(const LeafMesh& mesh, const std::vector<std::uint8_t>& leaves);
 
-/// Merged cells that spoil the mesh: of triangles that face the wrong way in leaves that `changed`, a flag
-/// for each; or, where there are none, with triangles that are not one closed fan in leaves that are
-/// `unwatched`, a flag for each, which it takes away.
+/// Merged cells that spoil the mesh: those of triangles that face the wrong way, in leaves that `changed` (a
+/// flag for each); or, where there are none, those whose triangles are not one closed fan, in leaves that
+/// are `unwatched` (a flag for each, which this clears).
 std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& merger,
                                       const std::vector<std::uint8_t>& changed,
                                       std::vector<std::uint8_t>& unwatched);
 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Triangles that run through each other. Where the triangles face like the exact surface it does not fold:
-/// looked at is what is around those that do not, fans at places where sheets touch or walls are, and what is
-/// at cells of several sheets or at vertices in the way of others, in leaves that are `unchecked`, a flag for
-/// each; and all that is in one of `doubts` (mm).
-TrianglePairs findMeetings(const LeafMesh& mesh, const SurfaceGrid& grid,
-                           const std::vector<std::uint8_t>& unchecked, const std::vector<Box3>& doubts);
+/// Triangles that run through each other. The surface does not fold where triangles face like the exact
+/// surface. So this looks around those that do not, at fans where sheets touch or walls are, at cells of
+/// several sheets and at vertices in the way of others, in leaves that are `unchecked` (a flag for each);
+/// and at all that is in one of `doubts` (mm).
+TrianglePairs findSelfIntersections(const LeafMesh& mesh, const SurfaceGrid& grid,
+                                    const std::vector<std::uint8_t>& unchecked,
+                                    const std::vector<Box3>& doubts);
 
 /// The cells of a triangle's corners.
 std::vector<std::uint32_t> cornerCellsOf(const LeafMesh& mesh, const SurfaceGrid& grid,

@@ -8,12 +8,13 @@ namespace proveout {
 
 namespace {
 
-/// Four triangles keep the quad's edges. Where these are off the surface nearly as far as the crossing is, as
-/// on a cylinder, four are no better than two, and make ridges across what is straight.
+/// Four triangles are made only where the crossing is off by more than this many times what the quad's edges
+/// are. They keep these edges: where both are off alike, as on a cylinder, four triangles are no better than
+/// two, and make ridges across what is straight.
 constexpr double kFanGain = 1.5;
 
-/// The crossing of the same face on one of the edges beside: a `step` along `axis`, then the one on a level
-/// with this or next to that. Sets where it is as seen from this one. Null where there is none in this leaf.
+/// The crossing of the same face on a neighbouring edge, a `step` along `axis`: on the edge at the same
+/// level or next to it. Sets where it is as seen from this one. Null where there is none in this leaf.
 const Crossing* crossingBeside(const SurfaceLeaf& leaf, const Crossing& c, const std::array<int, 4>& at,
                                int axis, int step, Vec3& d) {
   for (const int up : {0, -1, 1}) {
@@ -32,16 +33,16 @@ const Crossing* crossingBeside(const SurfaceLeaf& leaf, const Crossing& c, const
   return nullptr;
 }
 
-/// How far the surface is off a chord, of which the square of the length is given, by how it turns from one
-/// crossing to another `d` away.
+/// How far the surface is off a chord, given the square of its length, by how much the surface turns from
+/// one crossing to another at `d`.
 double offChord(const Crossing& from, const Crossing& to, const Vec3& d, double length2) {
   Vec3 turn;
   for (int i = 0; i < 3; ++i) turn[i] = to.normal[i] - from.normal[i];
   return std::abs(turn.dot(d)) / (Crossing::kNormalScale * d.squaredNorm()) * length2 / 8.0;
 }
 
-/// How far the surface is off the edges of a quad on one smooth face, at the most, where it is `off` at the
-/// crossing: there what it bends in one direction and in the other comes together. 0 where nothing is known.
+/// At most how far the surface is off the edges of a quad on one smooth face, where it is `off` at the
+/// crossing, at which the bends in both directions add up. 0 where nothing is known.
 double edgesOff(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,
                 double off) {
   double most = 0.0;
@@ -75,7 +76,7 @@ Polygon polygonOf(const VertexMerger& merger, const std::array<std::uint32_t, 4>
       out.v[out.count++] = s;
   }
   if (out.count > 1 && out.v[0] == out.v[out.count - 1]) --out.count;
-  // Opposite corners that are one leave nothing between them.
+  // Opposite corners with the same vertex leave nothing between them.
   if (out.count == 4 && (out.v[0] == out.v[2] || out.v[1] == out.v[3])) out.count = 0;
   if (out.count == 3 && out.v[0] == out.v[2]) out.count = 0;
   if (out.count < 3) out.count = 0;
@@ -98,11 +99,10 @@ bool QuadPlanner::anyMerged(const Quad& quad) const {
   return std::any_of(quad.v.begin(), quad.v.end(), [&](std::uint32_t v) { return merger_.merged(v); });
 }
 
-/// Whether four triangles around the crossing are closer to the surface than two, where these are too far
-/// off.
+/// Whether two triangles are too far off the surface and four around the crossing are closer to it.
 bool QuadPlanner::bulges(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c,
                          const std::array<int, 4>& at) const {
-  // Which steps can be opened and which sheets parted is not to depend on the tolerance.
+  // Which steps can be opened and which sheets parted must not depend on the tolerance.
   constexpr std::uint16_t kDetails = CellTraits::kStep | CellTraits::kManySheets | CellTraits::kClose;
   const bool at_detail = (quad.traits & kDetails) != 0;
   const double off = bulgeOver(quad, at_detail ? kFanHeight : fan_height_);
@@ -141,7 +141,7 @@ bool QuadPlanner::planLevel(const SurfaceLeaf& leaf, const CornerLeaves& corners
   out.states.assign(64, merger_.active() ? QuadState::kMerged : QuadState::kAt02);
   out.triangles = 128;
   if (!merger_.active()) return true;
-  // Four vertices stand for all; only where they meet is there anything left of a quad.
+  // Four vertices stand for all cells; a quad is left only where they meet.
   if (!leaf.level.material_below) std::reverse(base.begin(), base.end());
   const int count = polygonOf(merger_, base).count;
   out.triangles = count > 0 ? static_cast<std::uint32_t>(count - 2) : 0;

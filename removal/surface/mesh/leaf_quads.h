@@ -12,8 +12,8 @@
 
 namespace proveout {
 
-/// A quad of corners that stand for themselves: its cut. Or that its corners are merged, and it is judged
-/// where they ended up; or that it is a fan.
+/// What is known of a quad: how it is cut, if its corners stand for themselves; or that its corners are
+/// merged, so that it is judged where they ended up; or that it is a fan.
 struct QuadState {
   static constexpr std::uint8_t kAt02 = 1;  ///< cut from corner 0 to 2
   static constexpr std::uint8_t kPoor = 2;  ///< see QuadCut::poor
@@ -50,8 +50,8 @@ class QuadPlanner {
 
   /// Plans all quads of a leaf, in place of what `out` has.
   void plan(const SurfaceLeaf& leaf, LeafQuads& out) const;
-  /// Plans those of a level leaf as a whole. False, and nothing planned, where they are not merged whole or
-  /// not at all.
+  /// Plans the quads of a level leaf as a whole. False, and nothing is planned, unless all or none of them
+  /// are merged.
   bool planLevel(const SurfaceLeaf& leaf, const CornerLeaves& corners, LeafQuads& out) const;
   /// Adds the quad of the next crossing, on the edge `at` (axis, x, y, z).
   void add(const SurfaceLeaf& leaf, const Quad& quad, const Crossing& c, const std::array<int, 4>& at,

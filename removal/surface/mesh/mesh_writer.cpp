@@ -18,13 +18,13 @@ constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
 
-/// Merged triangles leave the corners of the quads that they are made of, and the middles of their edges, by
-/// this many times the heights of a merged patch at the most.
+/// Merged triangles may be off the corners of the quads that they replace, and off the middles of the quads'
+/// edges, by at most this many times the height of a merged patch.
 constexpr double kMostOff = 1.0;
 
-/// Resizes a vector, with room for `spare` more, whose contents are to be written anew. The system clears
-/// fresh pages where they are first touched: by all threads here, and not by the one that fills the vector
-/// with zeros.
+/// Resizes a vector whose contents will all be written, with room for `spare` more. The system clears fresh
+/// pages where they are first touched: so that happens in all threads, and not in the one that would fill
+/// the vector with zeros.
 template <typename T>
 void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) {
   constexpr std::size_t kPage = 4096, kStretch = std::size_t{1} << 21, kGrowth = 16;
@@ -53,13 +53,13 @@ class MergedQuad {
     const bool at02 = cutQuad(p, before.middle, normal_, before.smooth_corners).at02;
     held_[8] = at02 ? 0.5 * (p[0] + p[2]) : 0.5 * (p[1] + p[3]);
   }
-  /// It became one triangle.
+  /// For a quad that became one triangle.
   void add(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 n = facing(a, b, c);
     for (const Vec3& p : held_) off = std::max(off, std::abs(n.dot(p - a)));
   }
-  /// It became the triangles a, b, c and a, c, d. Each stands for what is on its side of their edge: a plane
-  /// may be near to what lies far beside its triangle.
+  /// For a quad that became the triangles a, b, c and a, c, d. Each is held against what is on its side of
+  /// their edge: a plane may be near to what lies far beside its triangle.
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     const Vec3 of_b = facing(a, b, c), of_d = facing(a, c, d), to_d = normal_.cross(c - a);
     for (const Vec3& p : held_)
@@ -67,7 +67,7 @@ class MergedQuad {
   }
   /// Cosine of the largest angle between the exact surface and a triangle.
   double agreement = 1.0;
-  /// Largest distance of what it is held to from the planes of its triangles.
+  /// Largest distance of the points that the triangles replace from their planes.
   double off = 0.0;
 
  private:
@@ -77,7 +77,8 @@ class MergedQuad {
     return n;
   }
   const Vec3& normal_;
-  /// What it is held to, as it was: corners, middles of sides, and of the edge that it was cut along.
+  /// The points that it replaces, as they were: corners, middles of the sides, and of the edge that it was
+  /// cut along.
   std::array<Vec3, 9> held_;
 };
 
@@ -92,7 +93,7 @@ std::uint32_t MeshWriter::keptCells(const SurfaceLeaf& leaf) const {
   return kept;
 }
 
-/// Gives the vertices that stay and the triangles their places: cells leaf by leaf, then further sheets.
+/// Assigns places to the vertices that stay and to the triangles: cells leaf by leaf, then further sheets.
 void MeshWriter::layOut(const std::vector<LeafQuads>& quads, const std::vector<std::uint8_t>& changed) {
   const std::size_t leaves = quads.size();
   now_.cells = static_cast<std::uint32_t>(grid_.cellCount());
@@ -157,7 +158,7 @@ void MeshWriter::writeVertices(const SurfaceLeaf& leaf, std::size_t number, bool
   PROVEOUT_ASSERT(next == part.first_vertex + part.vertices);
 }
 
-/// Vertices of the cells of a leaf that did not change, from the mesh before.
+/// Copies the vertices of the cells of a leaf that did not change from the mesh before.
 void MeshWriter::copyVertices(std::size_t number) {
   const LeafPart &part = now_.parts[number], &old = before_.parts[number];
   for (std::uint32_t i = 0; i < part.vertices; ++i) {
@@ -208,14 +209,14 @@ std::size_t MeshWriter::writeQuad(const std::array<std::uint32_t, 4>& v, bool at
   return next + 2;
 }
 
-/// The merged cells at a quad are to be taken apart.
+/// Marks the merged cells at a quad to be taken apart.
 void MeshWriter::addFaults(const std::array<std::uint32_t, 4>& v, LeafFlaws& flaws) const {
   for (const std::uint32_t corner : v) {
     if (merger_.merged(corner)) flaws.faults.push_back(merger_.standIn(corner));
   }
 }
 
-/// The same for a quad with merged corners, judged where those are now.
+/// Writes a quad with merged corners, judged where those are now; arguments as above.
 std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, std::size_t first,
                                     std::size_t next, LeafFlaws& flaws) {
   const Polygon poly = polygonOf(merger_, quad.v);
@@ -246,7 +247,7 @@ std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const C
   return next;
 }
 
-/// The triangles of a leaf that did not change, with the vertices' new numbers.
+/// Copies the triangles of a leaf that did not change, with the vertices' new numbers.
 void MeshWriter::copyLeaf(std::size_t number) {
   const LeafPart &part = now_.parts[number], &old = before_.parts[number];
   PROVEOUT_ASSERT(part.triangles == old.triangles);
@@ -259,7 +260,7 @@ void MeshWriter::copyLeaf(std::size_t number) {
   }
 }
 
-/// Fans around crossings. Those at a face where sheets touch have its vertex in common.
+/// Writes the fans around crossings. Fans at a face where sheets touch share its vertex.
 void MeshWriter::writeFans(const std::vector<LeafQuads>& quads) {
   TriMesh& mesh = now_.mesh;
   std::map<std::array<int, 7>, std::uint32_t> at_face;

@@ -14,8 +14,8 @@ class MeshWriter {
   /// Both must outlive this.
   MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger);
 
-  /// Writes the mesh with what is merged now. `changed`: leaves whose quads or merged cells are others than
-  /// at the call before, all at the first; what is not in them is taken from the mesh written before. Null if
+  /// Writes the mesh with what is merged now. `changed`: leaves whose quads or merged cells differ from the
+  /// previous call; all of them at the first call. The rest is copied from the mesh written before. Null if
   /// cancelled. The fans must live as long as the mesh, which the next call but one overwrites.
   LeafMesh* write(const std::vector<LeafQuads>& quads, const std::vector<std::uint8_t>& changed,
                   Progress& progress);
@@ -39,7 +39,7 @@ class MeshWriter {
   const VertexMerger& merger_;
   double reach_;  ///< how far merged triangles may be off the corners that there were, mm
   LeafMesh now_;
-  LeafMesh before_;  ///< of the call before; its memory serves the next one
+  LeafMesh before_;  ///< of the previous call; its memory serves the next one
 };
 
 }  // namespace proveout

@@ -25,7 +25,7 @@ Coord cubeOrigin(const Coord& at, int level) {
 
 Coord offset(const Coord& of, const Coord& from) { return of.offsetBy(-from.x(), -from.y(), -from.z()); }
 
-/// Squared distance of a point from the cells of the leaf at `at`, less than rounding, grid steps.
+/// Squared distance of a point from the cells of the leaf at `at`, less rounding, in grid steps.
 float outOfLeaf2(const Eigen::Vector3f& p, const Coord& at) {
   constexpr float kRounding = 1e-3f, kEdge = 8.0f + kRounding;
   const Eigen::Array3f d = p.array() - Eigen::Array3f(toFloat(at.x()), toFloat(at.y()), toFloat(at.z()));
@@ -68,7 +68,7 @@ std::vector<std::int32_t> VertexMerger::leavesOf(const LeafReader& read, const S
   return all ? found : std::vector<std::int32_t>{};
 }
 
-/// Whether the leaves of a cube are the square of one level face through it: flat, and a disk.
+/// Whether the leaves of a cube are the square of one level face through it, which is flat and a disk.
 bool VertexMerger::isLevelSquare(const std::vector<std::int32_t>& leaves, int level) const {
   const SurfaceLeaf& first = grid_.leaves()[static_cast<std::size_t>(leaves[0])];
   if (leaves.size() != std::size_t{1} << 2 * level || !first.all_level) return false;
@@ -93,7 +93,7 @@ bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) co
   float low = 1e9f, high = -1e9f;
   for (const std::int32_t i : leaves) {
     const SurfaceLeaf& leaf = grid_.leaves()[static_cast<std::size_t>(i)];
-    // Heights alone miss a bow that the vertices are symmetric to; normals show it. 4 * half of the side.
+    // Heights alone miss a bow to which the vertices are symmetric; normals show it. 4 * half of the side.
     const float lean2 = (n - leaf.clusters.normal).squaredNorm();
     if (n.dot(leaf.clusters.normal) < kLeafConeCos || lean2 * span * span > 4.0f * flat * flat) return false;
     const Coord d = offset(leaf.stock->origin, first);
@@ -108,7 +108,8 @@ bool VertexMerger::isFlat(const std::vector<std::int32_t>& leaves, int level) co
   return true;
 }
 
-/// Cells less connections plus crossed edges inside the cube must be 1, and the leaves hang together.
+/// For a disk, cells less connections plus crossed edges inside the cube must be 1, and the leaves must be
+/// connected.
 bool VertexMerger::isDisk(const std::vector<std::int32_t>& leaves, int level) const {
   std::vector<int> parent(leaves.size());
   std::iota(parent.begin(), parent.end(), 0);
@@ -322,7 +323,8 @@ bool VertexMerger::takeCellApart(std::size_t number, int place, std::vector<std:
   return true;
 }
 
-/// Where walls are set in, or sheets are to be parted, the mesh is that of all cells whatever the tolerance.
+/// Merges nothing where walls are set in or sheets are parted, so that the mesh there is the same whatever
+/// the tolerance.
 void VertexMerger::partAroundDetails() {
   for (const SurfaceLeaf& leaf : grid_.leaves()) {
     for (const StepCell& step : leaf.steps) partAround(leaf, leaf.placeOf(step.cell));

@@ -13,7 +13,7 @@ namespace proveout {
 /// cells, so that it is on the surface as they are.
 class VertexMerger {
  public:
-  /// Merges what may be merged. `grid`: built and unfolded; it must outlive this. `flatness`: as for
+  /// Merges what may be merged. `grid`: built, its folds repaired; it must outlive this. `flatness`: as for
   /// SurfaceGrid; 0: nothing is merged.
   VertexMerger(SurfaceGrid& grid, double flatness);
 

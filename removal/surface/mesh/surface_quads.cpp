@@ -15,14 +15,14 @@ namespace proveout {
 
 namespace {
 
-/// Triangles that lean more than this (84 degrees) from the exact surface count as folded; where a corner is
-/// off the tangent plane by more than a part of the size, a crease may turn the surface there, up to 143
-/// degrees.
+/// Triangles that lean more than this (84 degrees, cosine) from the exact surface count as folded. Where a
+/// corner is off the tangent plane by more than kOffPlane of the size, a feature edge may turn the surface
+/// there, by up to 143 degrees.
 constexpr double kFolded = 0.3;
-constexpr double kFoldedAtCrease = -0.3;
+constexpr double kFoldedAtFeature = -0.3;
 constexpr double kOffPlane = 0.15;
-/// Where a diagonal runs along a crease the surface may turn up to 134 degrees there.
-constexpr double kFoldedOverCrease = -0.7;
+/// Where a diagonal runs along a feature edge the surface may turn by up to 134 degrees there.
+constexpr double kFoldedOverFeature = -0.7;
 /// Diagonals whose middles are off the tangent plane alike, by this part of their length.
 constexpr double kAlikeOff = 1e-3;
 /// A triangle lower than this part of its length, as of three points on one edge, may be turned over by
@@ -30,10 +30,11 @@ constexpr double kAlikeOff = 1e-3;
 constexpr double kSliver = 1e-3;
 constexpr double kSliverMargin = 1e-6;
 constexpr double kPoorFacing = 0.5;
-/// Corners so many times farther off the tangent plane than crossings may be: two triangles and four then lie
-/// farther apart than what is tolerated, whatever the crossing is off.
-constexpr double kCreased = 2.0;
-constexpr int kUnfoldRounds = 8;
+/// Where corners are farther off the tangent plane than this many times what crossings may be, there is a
+/// feature edge: two triangles and four then differ by more than the tolerance, however near the crossing
+/// is.
+constexpr double kFeatureHeight = 2.0;
+constexpr int kFoldRounds = 8;
 
 }  // namespace
 
@@ -51,7 +52,7 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
     double margin = 2.0;
     bool poor = false;
   };
-  const auto add = [&](Cut& cut, int a, int b, int c, bool over_crease) {
+  const auto add = [&](Cut& cut, int a, int b, int c, bool over_feature) {
     const Vec3 area = (p[b] - p[a]).cross(p[c] - p[a]);
     double facing = normal.dot(area), margin = facing > 0.0 ? 1.0 : -1.0;
     bool poor = facing <= 0.0;
@@ -61,7 +62,7 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
       const double high = std::max({std::abs(up[a]), std::abs(up[b]), std::abs(up[c])});
       facing = length > 0.0 ? facing / length : -1.0;
       const bool off_plane = high * high > kOffPlane * kOffPlane * size2;
-      margin = facing - (over_crease ? kFoldedOverCrease : off_plane ? kFoldedAtCrease : kFolded);
+      margin = facing - (over_feature ? kFoldedOverFeature : off_plane ? kFoldedAtFeature : kFolded);
       const bool sliver = length < kSliver * size2;
       if (sliver) margin = std::min(margin, kSliverMargin);
       poor = sliver || facing < kPoorFacing;
@@ -71,9 +72,9 @@ QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& no
   };
   const auto cutAt = [&](bool at02) {
     Cut cut;
-    const bool crease = smooth_corners == (at02 ? 0xAu : 0x5u);
-    add(cut, 0, 1, at02 ? 2 : 3, crease);
-    add(cut, at02 ? 0 : 1, 2, 3, crease);
+    const bool along_feature = smooth_corners == (at02 ? 0xAu : 0x5u);
+    add(cut, 0, 1, at02 ? 2 : 3, along_feature);
+    add(cut, at02 ? 0 : 1, 2, 3, along_feature);
     return cut;
   };
   const Cut preferred = cutAt(prefer02);
@@ -90,8 +91,8 @@ double bulgeOver(const Quad& quad, double limit) {
     d[i] = quad.p[i] - quad.middle;
     highest = std::max(highest, std::abs(quad.normal.dot(d[i])));
   }
-  if (highest > kCreased * limit) limit = kFanHeight;
-  // Opposite corners on a crease are joined.
+  if (highest > kFeatureHeight * limit) limit = kFanHeight;
+  // Opposite corners on a feature edge are joined.
   if (highest <= limit || (~quad.smooth_corners & 0x5) == 0x5 || (~quad.smooth_corners & 0xA) == 0xA)
     return 0.0;
   for (int i = 0; i < 4; ++i) {
@@ -140,33 +141,33 @@ void QuadReader::load(const SurfaceLeaf& leaf) {
   forEachLeaf([this](const SurfaceLeaf& from, int place) { add(from, place); });
 }
 
-void QuadReader::addCreases(const SurfaceLeaf& leaf, int place) {
+void QuadReader::addFeatureEdges(const SurfaceLeaf& leaf, int place) {
   const int dx = (place & 1) * 8, dy = (place >> 1 & 1) * 8, dz = (place >> 2) * 8;
-  for (const CreaseWay& c : leaf.creases) {
+  for (const FeatureEdgeDirection& c : leaf.feature_edges) {
     const int x = (c.place >> 3 & 7) - dx, y = (c.place & 7) - dy, z = (c.place >> 6) - dz;
     if (std::min({x, y, z}) < -1) continue;
     const int i = index(x, y, z);
     if (c.outside && (traits_[i] & CellTraits::kOutside) == 0) continue;
-    creases_.push_back(c.along);
-    crease_[i] = static_cast<std::uint16_t>(creases_.size());
+    feature_edges_.push_back(c.along);
+    feature_edge_at_[i] = static_cast<std::uint16_t>(feature_edges_.size());
   }
 }
 
-void QuadReader::loadCreases() {
-  creases_.clear();
-  crease_.fill(0);
-  forEachLeaf([this](const SurfaceLeaf& from, int place) { addCreases(from, place); });
+void QuadReader::loadFeatureEdges() {
+  feature_edges_.clear();
+  feature_edge_at_.fill(0);
+  forEachLeaf([this](const SurfaceLeaf& from, int place) { addFeatureEdges(from, place); });
 }
 
-std::array<Vec3, 4> QuadReader::creasesOf(const Quad& quad, int axis, int x, int y, int z) const {
+std::array<Vec3, 4> QuadReader::featureEdgesOf(const Quad& quad, int axis, int x, int y, int z) const {
   std::array<Vec3, 4> along;
   along.fill(Vec3::Zero());
-  if (creases_.empty() || quad.smooth_corners == 0xF) return along;
+  if (feature_edges_.empty() || quad.smooth_corners == 0xF) return along;
   const std::array<int, 4> cell = ring(axis, x, y, z);
   const bool start_in = leafSample(leaf_->stock->material(), x, y, z);
   for (int i = 0; i < 4; ++i) {
-    const int number = crease_[cell[start_in ? i : 3 - i]];
-    if (number > 0) along[i] = creases_[number - 1].cast<double>();
+    const int number = feature_edge_at_[cell[start_in ? i : 3 - i]];
+    if (number > 0) along[i] = feature_edges_[number - 1].cast<double>();
   }
   return along;
 }
@@ -298,7 +299,7 @@ std::array<LeafBits, 3> edgesOf(const Places& cells, const SurfaceLeaf& leaf) {
   return edges;
 }
 
-/// Where a vertex goes if it is put back into its cell, as corners of quads of `leaf` stand.
+/// Where a vertex goes if it is put back into its cell, in the units of `leaf`.
 Vec3 insideOf(const SurfaceGrid& grid, std::uint32_t cell, const SurfaceLeaf& leaf) {
   const SurfaceLeaf& own = grid.leaves()[grid.leafOf(cell)];
   const auto it =
@@ -313,10 +314,10 @@ bool folds(const Quad& quad) {
   return cutQuad(quad.p, quad.middle, quad.normal, smooth).margin <= 0.0;
 }
 
-/// Of vertices at corners of a quad that folds, the one that unfolds it alone, if there is one. Where there
-/// are several, the nearest to another corner: its crease is met there, too.
-int cornerThatUnfolds(const SurfaceGrid& grid, const SurfaceLeaf& leaf, const Quad& quad,
-                      std::span<const int> corners) {
+/// Of the vertices at corners of a quad that folds, the one that repairs the fold if it alone is put back;
+/// -1 if there is none. Of several, the one nearest to another corner, which is on the same feature edge.
+int cornerThatRepairsFold(const SurfaceGrid& grid, const SurfaceLeaf& leaf, const Quad& quad,
+                          std::span<const int> corners) {
   int best = -1;
   double least = std::numeric_limits<double>::infinity();
   for (const int i : corners) {
@@ -333,8 +334,8 @@ int cornerThatUnfolds(const SurfaceGrid& grid, const SurfaceLeaf& leaf, const Qu
   return best;
 }
 
-/// Vertices outside their cells at those quads of a leaf, around these cells, that fold: of each quad one,
-/// where that is enough, else all.
+/// The vertices outside their cells at quads of a leaf, around these cells, that fold: one of each quad
+/// where that is enough, otherwise all.
 std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const SurfaceLeaf& leaf,
                                            const Places& cells) {
   std::vector<std::uint32_t> folding;
@@ -354,7 +355,7 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
       const std::uint32_t v = quad.v[i];
       if (v < grid.cellCount() && (grid.traits(v) & CellTraits::kOutside) != 0) corners.push_back(i);
     }
-    const int one = corners.size() > 1 ? cornerThatUnfolds(grid, leaf, quad, corners) : -1;
+    const int one = corners.size() > 1 ? cornerThatRepairsFold(grid, leaf, quad, corners) : -1;
     if (one >= 0) corners = {one};
     for (const int i : corners) folding.push_back(quad.v[i]);
   });
@@ -363,14 +364,14 @@ std::vector<std::uint32_t> foldingVertices(const SurfaceGrid& grid, const Surfac
 
 }  // namespace
 
-void unfoldVertices(SurfaceGrid& grid) {
+void repairFolds(SurfaceGrid& grid) {
   auto& leaves = grid.leaves();
   // First all that are outside, then those that were put back: other quads stay as they are.
   Places moved(leaves.size());
   for (std::size_t i = 0; i < leaves.size(); ++i) {
     for (const OutsideVertex& o : leaves[i].outside) moved[i].push_back(o.place);
   }
-  for (int round = 0; round < kUnfoldRounds; ++round) {
+  for (int round = 0; round < kFoldRounds; ++round) {
     std::vector<std::vector<std::uint32_t>> folding(leaves.size());
     parallelFor(std::size_t{0}, leaves.size(),
                 [&](std::size_t i) { folding[i] = foldingVertices(grid, leaves[i], moved); });

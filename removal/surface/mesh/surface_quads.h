@@ -26,18 +26,18 @@ struct QuadCut {
   double margin = 1.0;  ///< of the worse triangle; above 0: not folded
   bool poor = false;    ///< one leans more than 60 degrees from the exact surface, or is a sliver
 };
-/// The diagonal whose middle is nearer to the tangent plane at the crossing, so that creases are followed and
-/// walls not cut; alike: the shorter one. The other one where it folds less. `smooth_corners`: bit i: no
-/// crease runs through the cell of corner i.
+/// The diagonal whose middle is nearer to the tangent plane at the crossing, so that feature edges are
+/// followed and walls not cut; if both are equally near, the shorter one. The other diagonal where it folds
+/// less. `smooth_corners`: bit i: no feature edge runs through the cell of corner i.
 QuadCut cutQuad(const std::array<Vec3, 4>& p, const Vec3& middle, const Vec3& normal,
                 unsigned smooth_corners);
 
-/// How far crossings may be off two triangles at the least, grid steps.
+/// Least distance that crossings may be off two triangles, grid steps.
 inline constexpr double kFanHeight = 0.005;
 
-/// By how much the crossing lies off the quad's two triangles, if that is more than `limit`, or kFanHeight at
-/// creases; else 0. Four triangles around it are closer to the surface then. 0 as well where a crease runs
-/// along the diagonal, or a triangle would fold.
+/// By how much the crossing lies off the quad's two triangles, if that is more than `limit`, or kFanHeight
+/// at feature edges; else 0. Four triangles around it are closer to the surface then. 0 as well where a
+/// feature edge runs along the diagonal, or a triangle would fold.
 double bulgeOver(const Quad& quad, double limit);
 
 /// Reads the quads of one leaf at a time.
@@ -54,11 +54,11 @@ class QuadReader {
   static void readCrossing(int axis, int x, int y, int z, const Crossing& c, Quad& quad);
   /// All of it.
   bool read(int axis, int x, int y, int z, const Crossing& c, Quad& quad) const;
-  /// The ways of the creases that the corners of a quad, which was read, are on; 0 where they are not known.
-  /// Requires loadCreases after load.
-  std::array<Vec3, 4> creasesOf(const Quad& quad, int axis, int x, int y, int z) const;
-  void loadCreases();
-  /// The leaf around which lengths are.
+  /// Directions (unit, either way) of the feature edges that the corners of a quad, which was read, are on;
+  /// 0 where they are not known. Requires loadFeatureEdges after load.
+  std::array<Vec3, 4> featureEdgesOf(const Quad& quad, int axis, int x, int y, int z) const;
+  void loadFeatureEdges();
+  /// The leaf in whose units lengths are.
   const SurfaceLeaf& leaf() const { return *leaf_; }
 
  private:
@@ -66,8 +66,8 @@ class QuadReader {
   template <typename Use>
   void forEachLeaf(const Use& use) const;
   void add(const SurfaceLeaf& leaf, int place);
-  void addCreases(const SurfaceLeaf& leaf, int place);
-  /// Of the cells around an edge, in the order of kRing.
+  void addFeatureEdges(const SurfaceLeaf& leaf, int place);
+  /// Indices of the cells around an edge, in the order of kRing.
   static std::array<int, 4> ring(int axis, int x, int y, int z);
   void arrange(int axis, int x, int y, int z, Quad& quad) const;
   void pickSheets(int axis, int x, int y, int z, bool start_in, Quad& quad) const;
@@ -78,8 +78,8 @@ class QuadReader {
   std::array<std::uint32_t, 729> number_;
   std::array<std::uint16_t, 729> traits_;
   std::array<Eigen::Vector3f, 729> p_;
-  std::vector<Eigen::Vector3f> creases_;   ///< of the cells around the leaf
-  std::array<std::uint16_t, 729> crease_;  ///< numbers from 1 in there; 0: none
+  std::vector<Eigen::Vector3f> feature_edges_;      ///< of the cells around the leaf
+  std::array<std::uint16_t, 729> feature_edge_at_;  ///< numbers from 1 in there; 0: none
 };
 
 /// Calls body(axis, x, y, z, crossing) for each crossed edge of the leaf.
@@ -89,8 +89,8 @@ void forEachCrossing(const SurfaceLeaf& leaf, Body&& body) {
   forEachEdge(leaf.edges, [&](int axis, int x, int y, int z) { body(axis, x, y, z, *c++); });
 }
 
-/// Puts vertices that left their cell back into it where they fold the surface.
-void unfoldVertices(SurfaceGrid& grid);
+/// Repairs folds: puts vertices that left their cell back into it where they fold the surface.
+void repairFolds(SurfaceGrid& grid);
 
 /// CCW about +axis: what to step back along the next axis and the one after it to the cells of an edge.
 inline constexpr int kRing[4][2] = {{1, 1}, {0, 1}, {0, 0}, {1, 0}};

@@ -23,15 +23,15 @@ struct FaceEdge {
   Coord at;
 };
 
-/// An edge of the face: the one along `axis` that is the near or the far one (0, 1) along `along`.
+/// An edge of the face: of the two along `axis`, the near (0) or the far one (1) along `along`.
 FaceEdge edgeOf(const Face& face, int axis, int along, int far) {
   Coord at = face.at;
   at[along] += far;
   return {axis, at};
 }
 
-/// The edge that the surface leads to in the face: with four crossed edges the one at the same material
-/// corner, or, in a face that is `joined`, at the same other one.
+/// The edge that the surface leads to in the face. With four crossed edges that is the one at the same
+/// material corner; in a `joined` face, the one at the same corner that is not material.
 FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool joined, bool& sole) {
   const int other = face.other();
   const FaceEdge opposite = edgeOf(face, face.axis, other, 1 - face.back),
@@ -44,8 +44,8 @@ FaceEdge farEdge(const SurfaceGrid& grid, const Face& face, bool joined, bool& s
   return crossed(opposite) ? opposite : at_air;
 }
 
-/// Its place between the quad's crossing and the one that the surface leads to in the face, grid steps from
-/// the face's corner. `sole`: no other surface goes through the face.
+/// The place of the vertex between the quad's crossing and the one that the surface leads to, in grid steps
+/// from the face's corner. `sole`: no other surface goes through the face.
 FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool& sole) {
   const std::optional<std::uint32_t> cell = grid.cellAt(face.at);
   const bool joined = cell && isJoined(grid.shape(*cell), face.cross, 0);
@@ -67,8 +67,8 @@ FaceSplit splitFace(const SurfaceGrid& grid, const Face& face, Vec3& place, bool
   return out;
 }
 
-/// Where the line between the vertices of two cells goes through the face between them, in its reach; from
-/// the face's corner as they are.
+/// Where the line between the vertices of two cells goes through the face between them, clamped to the face;
+/// in grid steps from the face's corner, as the vertices are.
 Vec3 passage(const Vec3& from, const Vec3& to, int cross) {
   const double across = to[cross] - from[cross];
   const double part = std::abs(across) < kEndGap ? 0.5 : std::clamp(-from[cross] / across, 0.0, 1.0);
@@ -101,7 +101,7 @@ SplitQuad splitQuad(const SurfaceGrid& grid, const SurfaceLeaf& leaf, int axis, 
     const std::array<std::uint32_t, 2> cells = {grid.cellOf(quad.v[after]),
                                                 grid.cellOf(quad.v[(after + 1) % 4])};
     const auto traits = static_cast<std::uint16_t>(grid.traits(cells[0]) | grid.traits(cells[1]));
-    // Two lines through one face may be of one vertex on each side: they would pass it at one place.
+    // Two lines through one face may join the same vertices, and would go through it at the same place.
     if (sole && (traits & CellTraits::kManySheets) == 0 && (traits & CellTraits::kWalled) != 0) {
       const Vec3 corner = stepsBetween(leaf.stock->origin, face.at);
       place = passage(quad.p[after] - corner, quad.p[(after + 1) % 4] - corner, cross);

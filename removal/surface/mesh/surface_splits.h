@@ -1,7 +1,7 @@
 // Places where sheets of surface touch.
 //
-// Where both cells of a face join its four crossings to one sheet each, two dual edges would coincide. Each
-// gets a vertex of its own, and the quads around become fans about their crossings.
+// Where both cells of a face join its four crossings to one sheet each, two dual edges would coincide. So
+// each gets a vertex of its own, and the quads around become fans about their crossings.
 #pragma once
 
 #include <array>

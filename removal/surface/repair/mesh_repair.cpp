@@ -10,9 +10,9 @@
 #include "core/base/stretches.h"
 #include "core/geometry/to_float.h"
 #include "removal/surface/mesh/mesh_writer.h"
-#include "removal/surface/repair/mend_surroundings.h"
+#include "removal/surface/repair/intersection_repair.h"
 #include "removal/surface/repair/open_steps.h"
-#include "removal/surface/repair/surface_mend.h"
+#include "removal/surface/repair/repair_regions.h"
 
 namespace proveout {
 
@@ -20,7 +20,7 @@ namespace {
 
 /// Rounds of taking merged cells apart where they spoil the mesh, before all merging is given up.
 constexpr int kRepairRounds = 24;
-/// Rounds of parting cells where triangles meet, before the mesh itself is changed.
+/// Rounds of parting cells where triangles intersect, before the mesh itself is changed.
 constexpr int kPartRounds = 32;
 
 std::vector<std::uint8_t> mergedVertices(const LeafMesh& mesh, const VertexMerger& merger) {
@@ -32,7 +32,8 @@ std::vector<std::uint8_t> mergedVertices(const LeafMesh& mesh, const VertexMerge
   return merged;
 }
 
-/// The numbers that step vertices have in a mesh whose vertices were numbered anew, or moved, or are gone.
+/// The step vertices that are left in a mesh whose vertices were renumbered, moved or removed, with their
+/// new numbers.
 std::vector<StepVertex> foundAgain(const TriMesh& mesh, const std::vector<StepVertex>& steps) {
   std::map<std::array<float, 3>, std::size_t> by_place;
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -79,21 +80,21 @@ class MeshRepair {
   const QuadPlanner& planner_;
   std::vector<LeafQuads> quads_;
   const std::vector<Box3>& doubts_;
-  std::vector<std::uint8_t> changed_;    ///< leaves whose triangles are to be made anew
-  std::vector<std::uint8_t> unwatched_;  ///< leaves whose fans are not yet looked at
-  std::vector<std::uint8_t> unchecked_;  ///< leaves not yet looked at for intersections
+  std::vector<std::uint8_t> changed_;    ///< leaves whose triangles must be made again
+  std::vector<std::uint8_t> unwatched_;  ///< leaves whose fans are not checked yet
+  std::vector<std::uint8_t> unchecked_;  ///< leaves that are not checked for intersections yet
   MeshWriter writer_;
 };
 
-/// Makes the mesh around pairs, as far as mending looks, what it is without a tolerance: takes merged cells
-/// apart and makes fans where quads bulge. What is mended there, and what is walled in, is not to depend on
+/// Makes the mesh around pairs, as far as their repair regions reach, what it is without a tolerance: takes
+/// merged cells apart and makes fans where quads bulge. So neither the repair nor the walls there depend on
 /// the tolerance. Returns the leaves that this changed.
 std::vector<std::int32_t> MeshRepair::refineAround(const LeafMesh& mesh, const TrianglePairs& pairs) {
   if (!merger_.active() || pairs.empty()) return {};
   std::vector<std::uint32_t> merged;
   std::vector<std::int32_t> changed;
-  const MendSurroundings around(mesh.mesh, grid_.impl().h, pairs);
-  for (const MendSurroundings::Group& group : around.groups()) {
+  const RepairRegions around(mesh.mesh, grid_.impl().h, pairs);
+  for (const RepairRegions::Group& group : around.groups()) {
     for (const std::uint32_t t : group.triangles) {
       for (const std::uint32_t cell : cornerCellsOf(mesh, grid_, t)) {
         if (grid_.markClose(cell)) changed.push_back(static_cast<std::int32_t>(grid_.leafOf(cell)));
@@ -107,7 +108,8 @@ std::vector<std::int32_t> MeshRepair::refineAround(const LeafMesh& mesh, const T
   return changed;
 }
 
-/// Walls in the cells of triangles that meet. Returns the leaves that this changed, none if all are.
+/// Walls in the cells of triangles that intersect. Returns the leaves that this changed: none if all cells
+/// were walled before.
 std::vector<std::int32_t> MeshRepair::wallIn(const LeafMesh& mesh, const TrianglePairs& pairs) {
   std::vector<std::int32_t> changed;
   for (const auto& pair : pairs) {
@@ -120,7 +122,7 @@ std::vector<std::int32_t> MeshRepair::wallIn(const LeafMesh& mesh, const Triangl
   return changed;
 }
 
-/// Triangles that meet and stay as they are must be found again.
+/// Triangles that intersect and stay as they are must be found again.
 void MeshRepair::markUnchecked(const LeafMesh& mesh, const TrianglePairs& pairs) {
   for (const auto& pair : pairs) {
     for (const std::uint32_t t : pair) unchecked_[mesh.leafOf(t)] = 1;
@@ -136,17 +138,17 @@ bool MeshRepair::anyWalled(const LeafMesh& mesh, const std::array<std::uint32_t,
   return false;
 }
 
-/// Those that only walls part: beside walls all; elsewhere what is left after small changes of the mesh. If
-/// that is nothing the changes are made; else the mesh stays as it is.
+/// The pairs that only walls can part: beside walls all of them; elsewhere those left by
+/// repairIntersections, whose changes are kept only if none are left.
 TrianglePairs MeshRepair::pairsForWalls(LeafMesh& mesh, const TrianglePairs& pairs) const {
   TrianglePairs out;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(out),
                [&](const auto& pair) { return anyWalled(mesh, pair); });
   if (!out.empty()) return out;
-  return mendIntersections(mesh.mesh, pairs, grid_.impl().h, MendAim::kAll);
+  return repairIntersections(mesh.mesh, pairs, grid_.impl().h, RepairAim::kAll);
 }
 
-/// Plans the leaves anew that these and the surface between them and their neighbours belong to.
+/// Plans anew the quads of these leaves and of those that read them as neighbours.
 void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progress& progress) {
   std::fill(changed_.begin(), changed_.end(), 0);
   for (const std::int32_t n : taken_apart) {
@@ -162,7 +164,7 @@ void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progres
   });
 }
 
-/// Of cells with a single vertex, which is their own: nothing is merged beside steps.
+/// The step vertices, of cells with a single vertex; as nothing is merged beside steps, it is their own.
 std::vector<StepVertex> MeshRepair::stepVertices(const LeafMesh& mesh) const {
   constexpr std::uint16_t kElsewhere = CellTraits::kWalled | CellTraits::kManySheets;
   std::vector<StepVertex> out;
@@ -194,7 +196,7 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
       planAgain(again ? merger_.takeApart(std::move(faults)) : merger_.giveUp(), progress);
       continue;
     }
-    const TrianglePairs pairs = findMeetings(*written, grid_, unchecked_, doubts_);
+    const TrianglePairs pairs = findSelfIntersections(*written, grid_, unchecked_, doubts_);
     std::fill(unchecked_.begin(), unchecked_.end(), 0);
     const auto partAgain = [&](const std::vector<std::int32_t>& changed) {
       if (changed.empty()) return false;
@@ -208,9 +210,9 @@ std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
     std::vector<StepVertex> steps = stepVertices(*written);
     if (const TrianglePairs left = pairs.empty() ? pairs : pairsForWalls(*written, pairs); !left.empty()) {
       if (part_rounds < kPartRounds && partAgain(wallIn(*written, left))) continue;
-      out.self_intersections = mendIntersections(written->mesh, pairs, grid_.impl().h).size();
+      out.self_intersections = repairIntersections(written->mesh, pairs, grid_.impl().h).size();
     }
-    // Mending may number vertices anew: any may be merged then.
+    // The repair may renumber vertices: any of them may be merged then.
     if (pairs.empty()) out.merged = mergedVertices(*written, merger_);
     out.mesh = std::move(written->mesh);
     if (!pairs.empty()) steps = foundAgain(out.mesh, steps);

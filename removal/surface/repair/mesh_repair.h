@@ -1,4 +1,4 @@
-// Writes the mesh, and again as long as what is merged or placed spoils it.
+// Writes the mesh, and writes it again as long as merged cells or vertices spoil it.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct RepairedMesh {
 
 /// Takes merged cells apart where they spoil the mesh and around triangles that run through others; parts
 /// those by small changes of the mesh, or walls their cells in where these do not help. `quads`: one a leaf,
-/// as `planner` plans them with what `merger` has merged. `doubts`: boxes (mm) in which all is looked at,
-/// besides what is looked at always. None if cancelled.
+/// as `planner` plans them with what `merger` has merged. `doubts`: boxes (mm) in which all triangles are
+/// checked, besides those that always are. None if cancelled.
 std::optional<RepairedMesh> repairedMesh(SurfaceGrid& grid, VertexMerger& merger, const QuadPlanner& planner,
                                          std::vector<LeafQuads> quads, const std::vector<Box3>& doubts,
                                          Progress& progress);

@@ -13,9 +13,9 @@ namespace proveout {
 
 namespace {
 
-/// Triangles may lean by so much (60 degrees) from what they were.
+/// Triangles may turn by this much (60 degrees, cosine) from what they were.
 constexpr float kLeastFacing = 0.5f;
-/// Rounds in which steps at triangles that meet are left closed, before all are.
+/// Rounds in which steps at triangles that intersect are left closed, before all steps are.
 constexpr std::uint8_t kOpenRounds = 20;
 
 constexpr std::uint32_t kNoStep = ~std::uint32_t{0};
@@ -46,7 +46,7 @@ class StepOpener {
   void run();
 
  private:
-  /// How a vertex is to be parted.
+  /// How a vertex will be parted.
   struct Plan {
     bool open = false;
     std::vector<std::uint32_t> above;        ///< its triangles that are not of the wall's motion
@@ -60,15 +60,15 @@ class StepOpener {
 
   std::vector<std::uint32_t> stepsOfVertices() const;
   std::vector<std::uint32_t> trianglesAt() const;
-  void turnEdges();
-  bool turnEdge(std::uint32_t t, std::size_t corner);
+  void flipEdges();
+  bool flipEdge(std::uint32_t t, std::size_t corner);
   bool makePlans();
   Plan plan(const StepVertex& step) const;
   bool tryAll();
   void open();
   void close();
   bool leftOutNow(const Triangle& t) const;
-  bool leaveOutTurned();
+  bool leaveOutFolded();
   bool leaveOneOut(std::size_t k);
   std::vector<std::uint8_t> suspects() const;
   bool leaveOutMeeting();
@@ -99,7 +99,7 @@ class StepOpener {
   std::vector<std::uint8_t> left_out_;      ///< the round that did so, or 0
   std::uint8_t round_ = 1;                  ///< the first is before any is opened
   std::uint8_t asked_ = 0;                  ///< the last in which it was asked what runs through others
-  bool turned_ = false;                     ///< edges are, in this round
+  bool flipped_ = false;                    ///< edges are, in this round
   std::vector<Triangle> were_, parted_;     ///< those triangles, before, and before they are parted
   std::vector<Eigen::Vector3f> faced_;      ///< their normals
   std::vector<std::uint32_t> step_of_new_;  ///< of vertices that were added
@@ -120,9 +120,9 @@ std::vector<std::uint32_t> StepOpener::trianglesAt() const {
   return out;
 }
 
-/// Joins a corner with the one beyond the edge across it, in place of that edge. False: that is another step,
-/// or of another motion, or they are joined already.
-bool StepOpener::turnEdge(std::uint32_t t, std::size_t corner) {
+/// Flips the edge opposite to a corner, so that it joins the corner with the one beyond. False: that one is
+/// another step, or of another motion, or they are joined already.
+bool StepOpener::flipEdge(std::uint32_t t, std::size_t corner) {
   const Triangle v = mesh_.triangles[t];
   const std::uint32_t a = v[corner], b = v[(corner + 1) % 3], c = v[(corner + 2) % 3];
   for (const std::uint32_t beyond : fans_[b]) {
@@ -134,7 +134,7 @@ bool StepOpener::turnEdge(std::uint32_t t, std::size_t corner) {
     for (const std::uint32_t other : fans_[a]) {
       if (std::ranges::find(mesh_.triangles[other], d) != mesh_.triangles[other].end()) return false;
     }
-    turned_ = true;
+    flipped_ = true;
     mesh_.triangles[t] = {a, b, d};
     mesh_.triangles[beyond] = {a, d, c};
     std::erase(fans_.change(b), beyond);
@@ -146,9 +146,9 @@ bool StepOpener::turnEdge(std::uint32_t t, std::size_t corner) {
   return false;
 }
 
-/// Three steps in a row would leave a triangle without a width: the middle one is joined with what is beside
-/// them.
-void StepOpener::turnEdges() {
+/// A triangle of three steps would become degenerate: one of its corners is joined with what is beyond the
+/// opposite edge.
+void StepOpener::flipEdges() {
   for (const std::uint32_t t : near_) {
     const Triangle v = mesh_.triangles[t];
     if (!stepAt(v[0]) || !stepAt(v[1]) || !stepAt(v[2])) continue;
@@ -158,12 +158,12 @@ void StepOpener::turnEdges() {
     std::array<std::size_t, 3> order = {0, 1, 2};
     std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return across(i) > across(j); });
     for (const std::size_t corner : order) {
-      if (turnEdge(t, corner)) break;
+      if (flipEdge(t, corner)) break;
     }
   }
 }
 
-/// False: a step cannot be opened, and is left out.
+/// False: some step cannot be opened, and is left out.
 bool StepOpener::makePlans() {
   bool all = true;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
@@ -176,7 +176,8 @@ bool StepOpener::makePlans() {
   return all;
 }
 
-/// Open where the triangles of the wall's motion are side by side, and the others are.
+/// A step can be opened where the triangles of the wall's motion form one run around the vertex, and the
+/// others another.
 StepOpener::Plan StepOpener::plan(const StepVertex& step) const {
   Plan out;
   const auto fan = fans_[step.vertex];
@@ -268,15 +269,15 @@ void StepOpener::open() {
   for (const Edge& edge : edges) fill(edge);
 }
 
-/// All is as it was.
+/// Restores the mesh as it was.
 void StepOpener::close() {
   mesh_.positions.resize(vertices_);
   mesh_.triangles.resize(triangles_);
   mesh_.motion.resize(triangles_);
   for (std::size_t k = 0; k < near_.size(); ++k) mesh_.triangles[near_[k]] = were_[k];
   for (std::size_t i = 0; i < steps_.size(); ++i) mesh_.positions[steps_[i].vertex] = steps_[i].at;
-  if (turned_) fans_ = VertexFans(mesh_, near_);
-  turned_ = false;
+  if (flipped_) fans_ = VertexFans(mesh_, near_);
+  flipped_ = false;
 }
 
 /// False: there is no such step, or it is left out.
@@ -287,7 +288,7 @@ bool StepOpener::leaveOut(std::uint32_t vertex) {
   return step.has_value();
 }
 
-/// Whether it has a corner that is to be closed in the next round: what else is wrong with it shows then.
+/// Whether a corner of it will be closed in the next round: what else is wrong with it shows then.
 bool StepOpener::leftOutNow(const Triangle& t) const {
   return std::ranges::any_of(t, [&](std::uint32_t v) {
     const std::optional<std::size_t> step = anyStepAt(v);
@@ -295,9 +296,9 @@ bool StepOpener::leftOutNow(const Triangle& t) const {
   });
 }
 
-/// Takes out the steps at triangles that face elsewhere than before: one where that is enough. False: there
-/// are none.
-bool StepOpener::leaveOutTurned() {
+/// Leaves out the steps at triangles that the opening folds: one of them where that is enough. False: there
+/// are no such triangles.
+bool StepOpener::leaveOutFolded() {
   bool any = false;
   for (std::size_t k = 0; k < near_.size(); ++k) {
     const Triangle& t = mesh_.triangles[near_[k]];
@@ -344,7 +345,7 @@ std::vector<std::uint8_t> StepOpener::suspects() const {
   return out;
 }
 
-/// The same at triangles that run through others.
+/// Leaves out the steps at triangles that run through others. False: there are none.
 bool StepOpener::leaveOutMeeting() {
   const auto pairs = findIntersections(mesh_, suspects());
   asked_ = round_;
@@ -357,13 +358,13 @@ bool StepOpener::leaveOutMeeting() {
   return any;
 }
 
-/// Opens all steps that are not left out. False: some more are to be.
+/// Opens all steps that are not left out. False: more of them must be left out.
 bool StepOpener::tryAll() {
-  turnEdges();
+  flipEdges();
   if (!makePlans()) return false;
   for (std::size_t k = 0; k < near_.size(); ++k) parted_[k] = mesh_.triangles[near_[k]];
   open();
-  return !leaveOutTurned() && !leaveOutMeeting();
+  return !leaveOutFolded() && !leaveOutMeeting();
 }
 
 void StepOpener::run() {

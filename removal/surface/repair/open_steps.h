@@ -1,5 +1,5 @@
-// Walls lower than a cell, for which the mesh has one vertex a cell: there it is opened along these vertices,
-// and the wall set in.
+// Walls lower than a cell, for which the mesh has only one vertex a cell: opens the mesh along these
+// vertices and sets the wall in.
 #pragma once
 
 #include <cstdint>
@@ -20,9 +20,9 @@ struct StepVertex {
 
 /// Makes two vertices of each that lies where triangles of its motion and others meet, in one line: the one
 /// below keeps its number and goes to `low`; wall triangles join them along the line, and close it at its
-/// ends. What would turn triangles over, or run through others, is not done. `mesh`: closed and 2-manifold,
-/// with motions; it stays so. `merged`: a flag for each vertex, or empty; new vertices get 0. The same
-/// result for the same input always.
+/// ends. A step whose wall would fold triangles, or make them run through others, is left closed. `mesh`:
+/// closed and 2-manifold, with motions; it stays so. `merged`: a flag for each vertex, or empty; new
+/// vertices get 0. The same input always gives the same result.
 void openSteps(TriMesh& mesh, std::span<const StepVertex> steps, std::vector<std::uint8_t>& merged);
 
 }  // namespace proveout

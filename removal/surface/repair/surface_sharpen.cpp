@@ -14,27 +14,28 @@
 #include "core/geometry/triangle.h"
 #include "core/mesh/intersections.h"
 #include "core/mesh/mesh_editor.h"
-#include "removal/surface/cell/blank_places.h"
+#include "removal/surface/cell/blank_features.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr double kOff = 0.03;  ///< in cells: what counts as off the blank at least
-/// Vertices at which the mesh turns by less than 6 degrees are not looked at.
+/// Vertices at which the mesh turns by less than 6 degrees (cosine) are skipped.
 constexpr float kFlatCos = 0.995f;
 /// A change must make the worst of what it touches at least this much better.
 constexpr double kBetter = 0.85;
 constexpr double kLeastLength = 0.04;  ///< in cells: how near to a vertex a new place may be
 constexpr int kTries = 4;
-/// Rounds of changes; in the first of them edges and ridges count that the mesh misses, which may put other
-/// parts of it off the blank until the next round.
+/// Rounds of changes. In the first of them feature edges and ridges that the mesh misses count as well;
+/// adding them may put other parts of the mesh off the blank until the next round.
 constexpr int kChangeRounds = 16, kSearchRounds = 12;
-/// Triangles on a face of the blank, their middle within 0.01 cells, lean by 60 degrees from it and no more;
-/// those that cut across an edge may stand upright on it. They are at least this high for their length.
+/// Triangles on a face of the blank (their middle within 0.01 cells) lean from it by 60 degrees at most;
+/// those that cut across a feature edge may be at right angles to it. Least height of a triangle, as a share
+/// of its length.
 constexpr double kOnFace = 0.01, kLeastFacing = 0.5, kLeastAcross = 0.0, kLeastHeight = 0.01;
-/// Of the faults that are looked at: this many, and one for so many triangles. Grids too coarse for a part
-/// have faults everywhere.
+/// How many faults are looked at: this many, and one more for every so many triangles. Grids too coarse for
+/// a part have faults everywhere.
 constexpr std::size_t kLeastFaults = 4000, kTrianglesPerFault = 20;
 constexpr std::size_t kChunk = 4096;
 
@@ -53,7 +54,7 @@ class Sharpener {
         h_(h),
         limit_(std::max(kOff * h, tolerance)),
         edit_(mesh, MeshEditor::FanOrder::kKept),
-        places_(mesh, field, h),
+        features_(mesh, field, h),
         vertices_(mesh.positions.size()),
         triangles_(mesh.triangles.size()),
         banned_(mesh.positions.size(), 0) {}
@@ -62,7 +63,7 @@ class Sharpener {
 
  private:
   using Wing = MeshWing;
-  /// What a change would leave: how far its parts are off; none if a triangle would be spoilt.
+  /// How far the parts of a change would be off the blank (mm); none if it would spoil a triangle.
   using Cost = std::optional<double>;
 
   Vec3 at(std::uint32_t v) const { return mesh_.positions[v].cast<double>(); }
@@ -79,12 +80,12 @@ class Sharpener {
   bool settle(MeshEditor::Mark before);
   bool meetsAround(const std::vector<std::uint32_t>& triangles) const;
 
-  void mendVertex(std::uint32_t v);
-  void mendEdge(std::uint32_t a, std::uint32_t b);
+  void snapVertex(std::uint32_t v);
+  void repairEdge(std::uint32_t a, std::uint32_t b);
   bool anyBanned(std::span<const std::uint32_t> vertices) const;
-  bool turnEdge(const Wing& w);
+  bool flipEdge(const Wing& w);
   Cost triangleCost(const Vec3& a, const Vec3& b, const Vec3& c) const;
-  /// None as soon as it is above `limit`, too: what is asked of the blank takes most of the time.
+  /// None as well as soon as it is above `limit`: asking the blank takes most of the time.
   Cost splitCost(const Wing& w, const Vec3& x, double limit) const;
   Cost moveCost(std::uint32_t v, const Vec3& x, double limit = std::numeric_limits<double>::infinity()) const;
   double distanceTo(const std::vector<std::uint32_t>& triangles, const Vec3& p) const;
@@ -98,7 +99,7 @@ class Sharpener {
   Progress& progress_;
   double h_, limit_;  ///< mm: the grid spacing, and what counts as off the blank
   MeshEditor edit_;
-  BlankPlaces places_;
+  BlankFeatures features_;
   std::size_t vertices_, triangles_;    ///< before any change
   std::vector<std::uint8_t> banned_;    ///< vertices around which nothing is changed
   std::vector<std::uint32_t> changed_;  ///< triangles, in this round
@@ -107,7 +108,7 @@ class Sharpener {
   bool searching_ = false;              ///< for parts of the blank that the mesh misses
 };
 
-/// Triangles whose corners all are where the mesh turns.
+/// Triangles all of whose corners are where the mesh turns.
 std::vector<std::uint32_t> Sharpener::bentTriangles() const {
   std::vector<Eigen::Vector3f> normal(triangles_);
   const auto chunks = [](std::size_t count, auto&& body) {
@@ -134,7 +135,7 @@ std::vector<std::uint32_t> Sharpener::bentTriangles() const {
   return out;
 }
 
-/// Each edge is looked at in one of its triangles, each vertex in its first.
+/// Adds the faults at a triangle.
 void Sharpener::collect(std::uint32_t t, std::vector<Fault>& faults) const {
   const auto& v = mesh_.triangles[t];
   const double center = off((at(v[0]) + at(v[1]) + at(v[2])) / 3.0);
@@ -175,8 +176,8 @@ std::vector<std::uint32_t> Sharpener::around(const std::vector<std::uint32_t>& t
   return out;
 }
 
-/// Edges that are not faults themselves. Beside what was changed a sharp ridge may stick out of the mesh
-/// without any part of the mesh being off the blank.
+/// Adds edges that are not faults themselves: beside a change the blank may have a sharp ridge outside the
+/// mesh although no part of the mesh is off the blank.
 void Sharpener::addEdges(const std::vector<std::uint32_t>& triangles, std::vector<Fault>& faults) const {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const std::uint32_t t : triangles) {
@@ -198,9 +199,9 @@ void Sharpener::sharpen(std::vector<std::uint32_t> triangles) {
     for (const Fault& f : faults) {
       if (progress_.cancelled() || left_-- == 0) return;
       if (f.a == f.b) {
-        mendVertex(f.a);
+        snapVertex(f.a);
       } else {
-        mendEdge(f.a, f.b);
+        repairEdge(f.a, f.b);
       }
     }
     triangles = around(changed_);
@@ -212,7 +213,7 @@ bool Sharpener::anyBanned(std::span<const std::uint32_t> vertices) const {
                      [&](std::uint32_t v) { return v < vertices_ && banned_[v] != 0; });
 }
 
-/// Of its middle; none if it is a sliver or does not face as the blank does.
+/// How far the middle of a triangle is off; none if it is a sliver or does not face as the blank does.
 Sharpener::Cost Sharpener::triangleCost(const Vec3& a, const Vec3& b, const Vec3& c) const {
   const Vec3 area = (b - a).cross(c - a);
   const double size = area.norm(),
@@ -281,8 +282,8 @@ void Sharpener::move(std::uint32_t v, const Vec3& x) {
   for (const std::uint32_t t : edit_.fan(v)) noteChange(t);
 }
 
-/// Joins c and d in place of a and b where that follows the blank better.
-bool Sharpener::turnEdge(const Wing& w) {
+/// Flips the edge from a and b to c and d where that follows the blank better.
+bool Sharpener::flipEdge(const Wing& w) {
   if (!edit_.canFlip(w)) return false;
   const Cost at_a = triangleCost(at(w.a), at(w.d), at(w.c)), at_b = triangleCost(at(w.b), at(w.c), at(w.d));
   if (!at_a || !at_b) return false;
@@ -296,13 +297,13 @@ bool Sharpener::turnEdge(const Wing& w) {
   return settle(now);
 }
 
-void Sharpener::mendVertex(std::uint32_t v) {
+void Sharpener::snapVertex(std::uint32_t v) {
   const std::array<std::uint32_t, 1> all{v};
   if (anyBanned(all)) return;
   const Cost before = moveCost(v, at(v));
   double least = before ? kBetter * *before : h_;
   Vec3 best = at(v);
-  for (const Vec3& x : places_.near(at(v), edit_.fan(v))) {
+  for (const Vec3& x : features_.near(at(v), edit_.fan(v))) {
     const Cost cost = moveCost(v, x, least);
     if (!cost || *cost >= least) continue;
     least = *cost;
@@ -314,15 +315,15 @@ void Sharpener::mendVertex(std::uint32_t v) {
   settle(now);
 }
 
-/// The best of moving an end to a point of the blank and of splitting the edge there. Points that the mesh
-/// misses count for as much as what is off the blank.
-void Sharpener::mendEdge(std::uint32_t a, std::uint32_t b) {
+/// Repairs an edge by the better of moving an end to a point of the blank and splitting the edge there.
+/// Points of the blank that the mesh misses count as much as parts of the mesh that are off it.
+void Sharpener::repairEdge(std::uint32_t a, std::uint32_t b) {
   const auto wing = edit_.wing(a, b);
   if (!wing || anyBanned(std::array{wing->a, wing->b, wing->c, wing->d})) return;
   const Wing& w = *wing;
   const double before = wingOff(w);
   const bool is_off = before > limit_;
-  if ((!is_off && !searching_) || (is_off && turnEdge(w))) return;
+  if ((!is_off && !searching_) || (is_off && flipEdge(w))) return;
   const std::array<std::uint32_t, 2> ends{a, b};
   std::array<double, 3> off_before{0.0, 0.0, before};
   for (std::size_t i = 0; i < 2; ++i) off_before[i] = moveCost(ends[i], at(ends[i])).value_or(before);
@@ -330,7 +331,7 @@ void Sharpener::mendEdge(std::uint32_t a, std::uint32_t b) {
   double most = 0.0;
   std::size_t which = 3;
   Vec3 best = at(a);
-  for (const Vec3& x : places_.near(middle(a, b), patch)) {
+  for (const Vec3& x : features_.near(middle(a, b), patch)) {
     const double missed = searching_ ? distanceTo(patch, x) : 0.0;
     if (!is_off && missed <= limit_) continue;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -359,7 +360,7 @@ bool Sharpener::meetsAround(const std::vector<std::uint32_t>& triangles) const {
   });
 }
 
-/// Keeps what was changed since `before`, or takes it back where triangles meet.
+/// Keeps what was changed since `before`, or takes it back where triangles intersect.
 bool Sharpener::settle(MeshEditor::Mark before) {
   const std::vector<std::uint32_t> made(changed_.begin() + static_cast<std::ptrdiff_t>(settled_),
                                         changed_.end());
@@ -372,7 +373,7 @@ bool Sharpener::settle(MeshEditor::Mark before) {
   return sound;
 }
 
-/// False if no triangles meet that should not.
+/// Bans the vertices of triangles that intersect. False if there are none.
 bool Sharpener::banMeeting() {
   const auto pairs = findIntersections(mesh_, edit_.touched());
   for (const auto& pair : pairs) {

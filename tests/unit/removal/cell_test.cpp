@@ -102,7 +102,7 @@ TEST(CellVertex, FindsEdgeAndCorner) {
   EXPECT_NEAR((placeVertex(corner).p - Vec3(0.3, 0.6, 0.2)).norm(), 0, 1e-12);
 }
 
-TEST(CellVertex, FollowsACreaseOutOfTheCell) {
+TEST(CellVertex, FollowsAFeatureEdgeOutOfTheCell) {
   // The planes x = 0.05 - 0.4 z and y = 0.3 meet in a line that leaves the cell at z = 0.125; the mean of the
   // crossings is higher.
   const Vec3 n1 = Vec3(1, 0, 0.4).normalized(), n2(0, 1, 0);
@@ -135,7 +135,8 @@ TEST(CellVertex, FindsTheTipOfACone) {
 }
 
 TEST(CellVertex, FollowsTheCurvatureOfFacesThatMeet) {
-  // A cylinder of radius 5 along z and the plane y = 0.4; the crease is far from the cylinder's crossings.
+  // A cylinder of radius 5 along z and the plane y = 0.4; the feature edge is far from the cylinder's
+  // crossings.
   const Vec3 axis(-4.5, 0.4, 0);
   const auto on = [&](double y, double z) {
     const Vec3 p(axis.x() + std::sqrt(25 - (y - 0.4) * (y - 0.4)), y, z);

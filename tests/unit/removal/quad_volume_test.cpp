@@ -16,8 +16,8 @@ double cone(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (a - kApex).dot((b - kApex).cross(c - kApex)) / 6.0;
 }
 
-/// A crease from corner 0 to corner 2, beyond which the surface falls.
-TEST(QuadVolume, IsExactWhereACreaseJoinsOppositeCorners) {
+/// A feature edge from corner 0 to corner 2, beyond which the surface falls.
+TEST(QuadVolume, IsExactWhereAFeatureEdgeJoinsOppositeCorners) {
   const Vec3 crossing(0.6, 0.3, 0.0);
   for (const double fall : {0.15, 0.4, 0.9, 3.0}) {
     const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, -fall)};
@@ -26,15 +26,15 @@ TEST(QuadVolume, IsExactWhereACreaseJoinsOppositeCorners) {
   }
 }
 
-/// The same with a face on this side that bends: a cylinder along the crease.
-TEST(QuadVolume, KeepsTheBulgeOnThisSideOfACrease) {
+/// The same with a face on this side that bends: a cylinder along the feature edge.
+TEST(QuadVolume, KeepsTheBulgeOnThisSideOfAFeatureEdge) {
   constexpr double kRadius = 10.0;
   const Vec3 along = Vec3(1, 1, 0).normalized(), across = Vec3(1, -1, 0).normalized();
-  const double width = across.x();  // of the part on this side: a right triangle on the crease
+  const double width = across.x();  // of the part on this side: a right triangle on the feature edge
   const auto drop = [&](double v) { return kRadius - std::sqrt(kRadius * kRadius - v * v); };
   const Vec3 own = Vec3(0.5, 0.5, 0) + width * across - Vec3(0, 0, drop(width));
   const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), own, Vec3(1, 1, 0), Vec3(0, 1, -0.5)};
-  const Vec3 crossing = 0.7 * along;  // on the crease, where the face is level
+  const Vec3 crossing = 0.7 * along;  // on the feature edge, where the face is level
   // Between the facet and the cylinder: the length of the triangle at v times the height there.
   double bulge = 0.0;
   constexpr int kSteps = 2000;
@@ -135,13 +135,13 @@ EdgePoint edgeAt(const Round& face, const Vec3& m, double d, double x) {
 
 /// Where the edge of a face bends, the piece ends at it: between the wall on its chord and the edge is a
 /// strip.
-TEST(QuadVolume, EndsAtCreasesThatBend) {
+TEST(QuadVolume, EndsAtFeatureEdgesThatBend) {
   const Round face{5.0, 3, Vec3::Zero()};
   for (const Vec3& m : {Vec3(0, 0.8, 0.6), Vec3(0, 0.6, -0.8), Vec3(0.1, 0.7, 0.7)}) {
     const double d = 0.3;
     const EdgePoint left = edgeAt(face, m, d, -0.55), right = edgeAt(face, m, d, 0.45);
     const std::array<Vec3, 4> corners = {face.above(-0.5, -0.4), face.above(0.6, -0.5), right.p, left.p};
-    const std::array<Vec3, 4> creases = {Vec3::Zero(), Vec3::Zero(), right.along, -left.along};
+    const std::array<Vec3, 4> feature_edges = {Vec3::Zero(), Vec3::Zero(), right.along, -left.along};
     // Strips across the chord: triangles of a place on it, the face over that, and the edge.
     constexpr int kSteps = 400;
     const Vec3 edge = left.p - right.p, outward = edge.cross(Vec3::UnitZ()).normalized();
@@ -156,19 +156,20 @@ TEST(QuadVolume, EndsAtCreasesThatBend) {
       return quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3, ways).volume;
     };
     EXPECT_GT(std::abs(strip), 1e-5);
-    EXPECT_NEAR(volume(creases) - volume(kNoCreases), strip, 0.05 * std::abs(strip)) << m.transpose();
+    EXPECT_NEAR(volume(feature_edges) - volume(kNoFeatureEdges), strip, 0.05 * std::abs(strip))
+        << m.transpose();
   }
 }
 
 // Ways that lean from the chord, or bend to both sides of it, are not those of its ends.
-TEST(QuadVolume, LeavesCreasesOfOtherCornersAlone) {
+TEST(QuadVolume, LeavesFeatureEdgesOfOtherCornersAlone) {
   const Round face{5.0, 3, Vec3::Zero()};
   const std::array<Vec3, 4> corners = {face.above(-0.5, -0.4), face.above(0.6, -0.5), face.above(0.5, 0.4),
                                        face.above(-0.4, 0.5)};
   const double whole = quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3).volume;
   for (const Vec3& way : {Vec3(0, 1, 0), Vec3(0.4, 0.9, 0).normalized(), Vec3(0.9, 0.3, 0.1).normalized()}) {
-    const std::array<Vec3, 4> creases = {Vec3::Zero(), Vec3::Zero(), way, way};
-    EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3, creases).volume, whole);
+    const std::array<Vec3, 4> feature_edges = {Vec3::Zero(), Vec3::Zero(), way, way};
+    EXPECT_EQ(quadVolume(corners, Vec3::Zero(), Vec3::UnitZ(), kApex, 0x3, feature_edges).volume, whole);
   }
 }
 

@@ -1,4 +1,4 @@
-#include "removal/surface/cell/blank_places.h"
+#include "removal/surface/cell/blank_features.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +13,7 @@ namespace proveout {
 
 namespace {
 
-/// In cells: how exactly a point is on the blank, and how far from where it is looked for.
+/// In cells: how exactly a point is on the blank, and how far away it is looked for.
 constexpr double kOn = 1e-3, kReach = 2.0;
 constexpr int kMeetRounds = 8;
 constexpr std::size_t kMostFaces = 8;
@@ -27,10 +27,10 @@ void addFace(const BlankSample& s, std::vector<std::uint64_t>& faces) {
 
 }  // namespace
 
-double BlankPlaces::off(const Vec3& p) const { return std::abs(field_.value(p)); }
+double BlankFeatures::off(const Vec3& p) const { return std::abs(field_.value(p)); }
 
 /// The blank's faces at these triangles.
-std::vector<std::uint64_t> BlankPlaces::facesOf(std::span<const std::uint32_t> triangles) const {
+std::vector<std::uint64_t> BlankFeatures::facesOf(std::span<const std::uint32_t> triangles) const {
   std::vector<std::uint64_t> faces;
   for (const std::uint32_t t : triangles) {
     const auto [a, b, c] = cornersOf(mesh_, t);
@@ -40,7 +40,7 @@ std::vector<std::uint64_t> BlankPlaces::facesOf(std::span<const std::uint32_t> t
 }
 
 /// Where faces meet near `m`, by Newton's method, on the blank's surface or not. False: not near.
-bool BlankPlaces::meet(std::span<const std::uint64_t> faces, const Vec3& m, Vec3& x) const {
+bool BlankFeatures::meet(std::span<const std::uint64_t> faces, const Vec3& m, Vec3& x) const {
   x = m;
   std::array<Plane, 3> planes;
   PROVEOUT_ASSERT(!faces.empty() && faces.size() <= planes.size());
@@ -58,8 +58,8 @@ bool BlankPlaces::meet(std::span<const std::uint64_t> faces, const Vec3& m, Vec3
   return true;
 }
 
-/// The point on the way from `m` to `x` where the blank ends or begins; `x` if both are on one side.
-Vec3 BlankPlaces::onWay(const Vec3& m, const Vec3& x) const {
+/// The point between `m` and `x` where the line crosses the blank's surface; `x` if both are on one side.
+Vec3 BlankFeatures::surfaceBetween(const Vec3& m, const Vec3& x) const {
   const auto value = [&](double s) { return field_.value(m + s * (x - m)); };
   const double at_m = value(0.0), at_x = value(1.0);
   if ((at_m < 0.0) == (at_x < 0.0)) return x;
@@ -68,20 +68,20 @@ Vec3 BlankPlaces::onWay(const Vec3& m, const Vec3& x) const {
   return m + at * (x - m);
 }
 
-/// Faces that cut off the edges of those which are known: too narrow to have triangles.
-void BlankPlaces::addHidden(const Vec3& m, std::vector<std::uint64_t>& faces) const {
+/// Adds sliver faces: they cut off edges of the known faces, and are too narrow to have triangles.
+void BlankFeatures::addSliverFaces(const Vec3& m, std::vector<std::uint64_t>& faces) const {
   for (std::size_t i = 1; i < faces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       Vec3 x;
       if (!meet(std::array{faces[i], faces[j]}, m, x)) continue;
-      if (off(x) >= kOn * h_) addFace(field_.sample(onWay(m, x)), faces);
+      if (off(x) >= kOn * h_) addFace(field_.sample(surfaceBetween(m, x)), faces);
     }
   }
 }
 
-std::vector<Vec3> BlankPlaces::near(const Vec3& m, std::span<const std::uint32_t> patch) const {
+std::vector<Vec3> BlankFeatures::near(const Vec3& m, std::span<const std::uint32_t> patch) const {
   std::vector<std::uint64_t> faces = facesOf(patch);
-  addHidden(m, faces);
+  addSliverFaces(m, faces);
   std::vector<Vec3> out;
   const auto add = [&](std::span<const std::uint64_t> some) {
     Vec3 x;

@@ -1,4 +1,4 @@
-#include "removal/surface/repair/mend_surroundings.h"
+#include "removal/surface/repair/repair_regions.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -14,16 +14,16 @@ namespace proveout {
 
 namespace {
 
-/// What is looked at around the pairs, and the edge of the blocks that it is found by, in cells.
+/// How far around the pairs the regions reach, and the edge of the blocks that make them up, in cells.
 constexpr double kMarginCells = 2.0, kBlockCells = 2.0;
-/// Stretches that the filter of regions has along each axis.
+/// Stretches of the filter along each axis.
 constexpr int kStretches = 1024;
-/// Triangles that one task looks at.
+/// Triangles of one task.
 constexpr std::size_t kPart = 8192;
 constexpr std::uint32_t kNoGroup = 0xFFFFFFFFu;
 
-/// A filter: whether a triangle can touch one of some boxes. Most are nowhere near.
-class Regions {
+/// Rules out quickly that a triangle touches one of some boxes: most triangles are nowhere near.
+class BoxFilter {
  public:
   void add(const Box3& box) { boxes_.push_back(box); }
   /// To be called when all boxes are added.
@@ -50,7 +50,7 @@ class Regions {
   std::array<std::array<int, kStretches + 1>, 3> boxes_upto_;
 };
 
-void Regions::finish() {
+void BoxFilter::finish() {
   Box3 all;
   for (const Box3& box : boxes_) all.extend(box);
   low_ = toFloat(all.min);
@@ -69,9 +69,9 @@ void Regions::finish() {
 }
 
 /// Triangles that reach into marked blocks, ascending.
-std::vector<std::uint32_t> nearTriangles(const TriMesh& mesh, const MendBlocks& blocks,
+std::vector<std::uint32_t> nearTriangles(const TriMesh& mesh, const RepairBlocks& blocks,
                                          const std::unordered_set<std::uint64_t>& marked,
-                                         const Regions& regions) {
+                                         const BoxFilter& regions) {
   const auto isNear = [&](std::uint32_t t) {
     if (!regions.mayTouch(mesh, t)) return false;
     bool inside = false;
@@ -94,12 +94,11 @@ std::vector<std::uint32_t> nearTriangles(const TriMesh& mesh, const MendBlocks& 
 
 }  // namespace
 
-MendBlocks::MendBlocks(double cell_mm) : scale_(1.0 / (kBlockCells * cell_mm)) {}
+RepairBlocks::RepairBlocks(double cell_mm) : scale_(1.0 / (kBlockCells * cell_mm)) {}
 
-MendSurroundings::MendSurroundings(const TriMesh& mesh, double cell_mm,
-                                   const std::vector<TrianglePair>& pairs)
+RepairRegions::RepairRegions(const TriMesh& mesh, double cell_mm, const std::vector<TrianglePair>& pairs)
     : blocks_(cell_mm) {
-  Regions regions;  // that marked_ is in
+  BoxFilter regions;  // that marked_ is in
   for (const TrianglePair& pair : pairs) {
     for (const std::uint32_t t : pair) {
       const Box3 box = boxOf(cornersOf(mesh, t)).inflated(kMarginCells * cell_mm);
@@ -112,8 +111,8 @@ MendSurroundings::MendSurroundings(const TriMesh& mesh, double cell_mm,
 }
 
 /// Triangles that reach into one block are of one group.
-void MendSurroundings::share(const TriMesh& mesh, const std::vector<std::uint32_t>& near,
-                             const std::vector<TrianglePair>& pairs) {
+void RepairRegions::share(const TriMesh& mesh, const std::vector<std::uint32_t>& near,
+                          const std::vector<TrianglePair>& pairs) {
   DisjointSets sets(near.size());
   std::unordered_map<std::uint64_t, std::uint32_t> first;
   for (std::uint32_t i = 0; i < near.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "removal/surface/repair/surface_mend.h"
+#include "removal/surface/repair/intersection_repair.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,7 +15,7 @@
 #include "core/geometry/to_float.h"
 #include "core/geometry/triangle.h"
 #include "core/mesh/mesh_editor.h"
-#include "removal/surface/repair/mend_pairs.h"
+#include "removal/surface/repair/intersecting_pairs.h"
 
 namespace proveout {
 
@@ -23,30 +23,30 @@ namespace {
 
 using Points = std::array<Vec3, 3>;
 
-/// How far old and new surface may be apart, in cells: what changes the surface least is tried first.
+/// How far old and new surface may be apart, in cells: what moves the surface least is tried first.
 constexpr std::array<double, 3> kReaches = {1e-3, 0.01, 0.05};
-/// Rounds over all pairs; each that changes something leaves fewer of them.
+/// Rounds over all pairs; each round that changes something leaves fewer of them.
 constexpr int kRounds = 8;
-/// Changes that are tried at most, of some ten microseconds each: for each pair of a group, for a group, and
-/// for all, half a second. What then is left is a surface that they cannot mend. A group gets fewer for what
-/// is mended elsewhere only beyond the last, so that what is changed in a place mostly depends on this place
+/// Limits on the changes tried, of some ten microseconds each: for each pair of a group, for a group, and
+/// for all (half a second). What is left then cannot be repaired by such changes. Only beyond the last limit
+/// do other groups reduce what a group gets, so that the repair of a place mostly depends on that place
 /// alone.
 constexpr std::size_t kPairTrials = 200, kGroupTrials = 20000, kMostTrials = 50000;
-/// How far a vertex is shifted away from a neighbour at most, by their distance.
+/// How far a vertex is shifted away from a neighbour at most, as a share of their distance.
 constexpr float kMostBack = 0.2f;
 
 struct Edit {
-  enum Kind { kTurn, kJoin, kMove };
+  enum Kind { kFlip, kCollapse, kMove };
   Kind kind = kMove;
-  std::uint32_t a = 0, b = 0;                    ///< the edge; kJoin: a becomes b; kMove: a alone
+  std::uint32_t a = 0, b = 0;                    ///< the edge; kCollapse: a becomes b; kMove: a alone
   Eigen::Vector3f to = Eigen::Vector3f::Zero();  ///< of kMove
 };
 
 /// Trials for each group.
-std::vector<std::size_t> sharedTrials(const std::vector<MendSurroundings::Group>& groups) {
+std::vector<std::size_t> sharedTrials(const std::vector<RepairRegions::Group>& groups) {
   std::vector<std::size_t> out;
   std::size_t all = 0;
-  for (const MendSurroundings::Group& group : groups)
+  for (const RepairRegions::Group& group : groups)
     all += out.emplace_back(std::min(kGroupTrials, kPairTrials * group.pairs.size()));
   if (all <= kMostTrials) return out;
   for (std::size_t& trials : out) trials = trials * kMostTrials / all;
@@ -54,11 +54,12 @@ std::vector<std::size_t> sharedTrials(const std::vector<MendSurroundings::Group>
 }
 
 /// Changes the triangles of one group.
-class Mender {
+class IntersectionRepairer {
  public:
-  /// `seen`: one a triangle, 0; shared by the menders of all groups.
-  Mender(TriMesh& mesh, double cell_mm, const MendSurroundings& around, const MendSurroundings::Group& group,
-         std::vector<std::uint32_t>& seen, std::size_t most_trials)
+  /// `seen`: one a triangle, 0; shared by the repairers of all groups.
+  IntersectionRepairer(TriMesh& mesh, double cell_mm, const RepairRegions& around,
+                       const RepairRegions::Group& group, std::vector<std::uint32_t>& seen,
+                       std::size_t most_trials)
       : edit_(mesh, MeshEditor::FanOrder::kRenewed, group.triangles),
         pairs_(edit_, around.blocks(), kReaches.back() * cell_mm, group.triangles, seen),
         cell_(cell_mm),
@@ -68,7 +69,7 @@ class Mender {
 
   /// Returns the pairs that are left.
   std::vector<TrianglePair> run();
-  /// Makes the triangles what they were before run().
+  /// Undoes all changes of run().
   void takeBack() { edit_.takeBack(before_); }
   const LostParts& lost() const { return lost_; }
 
@@ -81,7 +82,7 @@ class Mender {
     double moved = 0.0;    ///< between old and new surface
   };
 
-  /// What was found out, and where: as long as no triangle in there changes it holds.
+  /// A result and the box that it depends on: it holds as long as no triangle in there changes.
   template <typename T>
   struct Found {
     Box3 box;
@@ -90,52 +91,53 @@ class Mender {
 
   Points points(std::uint32_t t) const { return cornersOf(edit_.mesh(), t); }
   const Eigen::Vector3f& position(std::uint32_t v) const { return edit_.mesh().positions[v]; }
-  bool whole(std::uint32_t v) const { return around_.whole(position(v).cast<double>()); }
+  bool hasWholeStar(std::uint32_t v) const { return around_.hasWholeStar(position(v).cast<double>()); }
   const std::vector<TrianglePair>& pairsBefore(const Edit& edit, const Triangles& triangles);
 
   Triangles affected(const Edit& edit) const;
   bool allowed(const Edit& edit) const;
   void apply(const Edit& edit);
-  double apart(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const;
+  double deviation(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const;
   Box3 boxOfStar(std::uint32_t v) const;
   Box3 boxOfEdits(std::uint32_t a) const;
   std::vector<Edit> editsAt(std::uint32_t a, bool moves) const;
   std::optional<Choice> tryEdit(const Edit& edit);
   const std::vector<Choice>& choicesAt(std::uint32_t a, bool moves);
   Choice bestFor(const TrianglePair& pair, double reach);
-  bool mend(const TrianglePair& pair, double reach);
+  bool repair(const TrianglePair& pair, double reach);
 
   MeshEditor edit_;
   MeshEditor::Mark before_ = edit_.mark();
-  MendPairs pairs_;
+  IntersectingPairs pairs_;
   double cell_;
-  const MendSurroundings& around_;
-  const MendSurroundings::Group& group_;
+  const RepairRegions& around_;
+  const RepairRegions::Group& group_;
   std::unordered_map<std::uint32_t, Found<std::vector<TrianglePair>>>
       pairs_at_;  ///< of the triangles at a vertex, as they are
-  std::vector<TrianglePair> turned_pairs_;
+  std::vector<TrianglePair> flip_pairs_;
   /// Changes at a vertex that help, at any reach, and whether vertices are moved: as all is now.
   std::map<std::pair<std::uint32_t, bool>, Found<std::vector<Choice>>> choices_;
   LostParts lost_;
   std::size_t trials_ = 0, most_trials_;
 };
 
-/// Pairs with one of the triangles that the edit changes. Many edits change the same ones.
-const std::vector<TrianglePair>& Mender::pairsBefore(const Edit& edit, const Triangles& triangles) {
-  const bool star = edit.kind != Edit::kTurn;
+/// Pairs with one of the triangles that the edit changes; kept, as many edits change the same ones.
+const std::vector<TrianglePair>& IntersectionRepairer::pairsBefore(const Edit& edit,
+                                                                   const Triangles& triangles) {
+  const bool star = edit.kind != Edit::kFlip;
   if (star) {
     if (const auto known = pairs_at_.find(edit.a); known != pairs_at_.end()) return known->second.what;
   }
   if (star) pairs_at_[edit.a].box = boxOfStar(edit.a).inflated(kReaches.back() * cell_);
-  std::vector<TrianglePair>& pairs = star ? pairs_at_[edit.a].what : turned_pairs_;
+  std::vector<TrianglePair>& pairs = star ? pairs_at_[edit.a].what : flip_pairs_;
   pairs.clear();
-  pairs_.find(triangles, MendPairs::kAll, &pairs);
+  pairs_.find(triangles, IntersectingPairs::kAll, &pairs);
   return pairs;
 }
 
-Mender::Triangles Mender::affected(const Edit& edit) const {
+IntersectionRepairer::Triangles IntersectionRepairer::affected(const Edit& edit) const {
   const auto star = edit_.fan(edit.a);
-  if (edit.kind != Edit::kTurn) return {star.begin(), star.end()};
+  if (edit.kind != Edit::kFlip) return {star.begin(), star.end()};
   Triangles out;
   for (const std::uint32_t t : star) {
     const auto& v = edit_.mesh().triangles[t];
@@ -145,34 +147,34 @@ Mender::Triangles Mender::affected(const Edit& edit) const {
 }
 
 /// Whether the mesh stays a closed 2-manifold.
-bool Mender::allowed(const Edit& edit) const {
+bool IntersectionRepairer::allowed(const Edit& edit) const {
   if (edit.kind == Edit::kMove) return true;
   const auto wing = edit_.wing(edit.a, edit.b);
-  if (!wing || !whole(wing->c) || !whole(wing->d)) return false;
-  return edit.kind == Edit::kTurn ? edit_.canFlip(*wing) : edit_.canCollapse(*wing);
+  if (!wing || !hasWholeStar(wing->c) || !hasWholeStar(wing->d)) return false;
+  return edit.kind == Edit::kFlip ? edit_.canFlip(*wing) : edit_.canCollapse(*wing);
 }
 
 /// Requires that it is allowed.
-void Mender::apply(const Edit& edit) {
+void IntersectionRepairer::apply(const Edit& edit) {
   if (edit.kind == Edit::kMove) return edit_.move(edit.a, edit.to);
   const auto wing = edit_.wing(edit.a, edit.b);
   PROVEOUT_ASSERT(wing.has_value());
-  if (edit.kind == Edit::kTurn) {
+  if (edit.kind == Edit::kFlip) {
     edit_.flip(*wing);
   } else {
     edit_.collapse(*wing);
   }
 }
 
-/// How far the triangles `from` get away from `to` and from what is near, by samples; infinite beyond
-/// `limit`.
-double Mender::apart(const std::vector<Points>& from, const std::vector<Points>& to, double limit) const {
+/// How far the triangles `from` are off `to` and what is near, by samples; infinite beyond `limit`.
+double IntersectionRepairer::deviation(const std::vector<Points>& from, const std::vector<Points>& to,
+                                       double limit) const {
   double farthest = 0.0;
   const auto look = [&](const Vec3& p) {
     double least = std::numeric_limits<double>::infinity();
     for (const Points& t : to) least = std::min(least, squaredDistance(p, t));
     if (least <= farthest) return true;
-    for (const MendPairs::Near& near : pairs_.near()) {
+    for (const IntersectingPairs::Near& near : pairs_.near()) {
       const Vec3 beyond = (near.box.min - p).cwiseMax(p - near.box.max).cwiseMax(0.0);
       if (beyond.squaredNorm() < least) least = std::min(least, squaredDistance(p, points(near.triangle)));
     }
@@ -188,15 +190,15 @@ double Mender::apart(const std::vector<Points>& from, const std::vector<Points>&
   return std::sqrt(farthest);
 }
 
-Box3 Mender::boxOfStar(std::uint32_t v) const {
+Box3 IntersectionRepairer::boxOfStar(std::uint32_t v) const {
   Box3 box;
   for (const std::uint32_t t : edit_.fan(v)) box.extend(boxOf(points(t)));
   return box;
 }
 
-/// Where changes at a vertex change triangles or look at some: around its neighbours, and as far beyond as it
-/// is shifted.
-Box3 Mender::boxOfEdits(std::uint32_t a) const {
+/// The box in which edits at a vertex change or read triangles: around its neighbours, and as far beyond as
+/// the vertex may be shifted.
+Box3 IntersectionRepairer::boxOfEdits(std::uint32_t a) const {
   Box3 box;
   for (const std::uint32_t t : edit_.fan(a)) {
     for (const std::uint32_t v : edit_.mesh().triangles[t]) box.extend(boxOfStar(v));
@@ -204,7 +206,7 @@ Box3 Mender::boxOfEdits(std::uint32_t a) const {
   return box.inflated(kReaches.back() * cell_ + kMostBack * box.size().maxCoeff());
 }
 
-std::vector<Edit> Mender::editsAt(std::uint32_t a, bool moves) const {
+std::vector<Edit> IntersectionRepairer::editsAt(std::uint32_t a, bool moves) const {
   std::vector<Edit> edits;
   const auto star = edit_.fan(a);
   const Eigen::Vector3f& from = position(a);
@@ -217,10 +219,10 @@ std::vector<Edit> Mender::editsAt(std::uint32_t a, bool moves) const {
     middle += position(b) / toFloat(star.size());
     if (moves) {
       for (const float part : {0.05f, 0.2f, 0.5f, -0.05f, -kMostBack}) move(position(b), part);
-    } else if (whole(b)) {
-      edits.push_back({Edit::kTurn, a, b});
-      edits.push_back({Edit::kJoin, a, b});
-      edits.push_back({Edit::kJoin, b, a});
+    } else if (hasWholeStar(b)) {
+      edits.push_back({Edit::kFlip, a, b});
+      edits.push_back({Edit::kCollapse, a, b});
+      edits.push_back({Edit::kCollapse, b, a});
     }
   }
   if (!moves) return edits;
@@ -228,8 +230,8 @@ std::vector<Edit> Mender::editsAt(std::uint32_t a, bool moves) const {
   return edits;
 }
 
-/// Tries a change and takes it back. Empty if it leaves as many pairs, or reaches too far.
-std::optional<Mender::Choice> Mender::tryEdit(const Edit& edit) {
+/// Tries an edit and takes it back. None if it does not reduce the pairs or moves the surface too far.
+std::optional<IntersectionRepairer::Choice> IntersectionRepairer::tryEdit(const Edit& edit) {
   if (!allowed(edit)) return std::nullopt;
   const Triangles triangles = affected(edit);
   const std::vector<TrianglePair>& pairs = pairsBefore(edit, triangles);
@@ -239,7 +241,7 @@ std::optional<Mender::Choice> Mender::tryEdit(const Edit& edit) {
   for (const std::uint32_t t : triangles) was.push_back(points(t));
   const MeshEditor::Mark before = edit_.mark();
   apply(edit);
-  // Most edits help nothing: the pairs that are known tell that at once.
+  // Most edits do not help, which the known pairs show at once.
   const std::size_t most = pairs.size() - 1;
   auto left = static_cast<std::size_t>(std::count_if(
       pairs.begin(), pairs.end(), [&](const TrianglePair& pair) { return pairs_.meets(pair); }));
@@ -250,16 +252,17 @@ std::optional<Mender::Choice> Mender::tryEdit(const Edit& edit) {
     for (const std::uint32_t t : triangles) {
       if (!edit_.gone(t)) is.push_back(points(t));
     }
-    double moved = apart(was, is, reach);
-    if (moved <= reach) moved = std::max(moved, apart(is, was, reach));
+    double moved = deviation(was, is, reach);
+    if (moved <= reach) moved = std::max(moved, deviation(is, was, reach));
     if (moved <= reach) choice = {edit, pairs.size() - left, moved};
   }
   edit_.takeBack(before);
   return choice;
 }
 
-/// Many pairs have a vertex in common.
-const std::vector<Mender::Choice>& Mender::choicesAt(std::uint32_t a, bool moves) {
+/// Edits at a vertex that help; kept, as many pairs have a vertex in common.
+const std::vector<IntersectionRepairer::Choice>& IntersectionRepairer::choicesAt(std::uint32_t a,
+                                                                                 bool moves) {
   const auto [known, fresh] = choices_.try_emplace({a, moves});
   Found<std::vector<Choice>>& found = known->second;
   if (fresh) {
@@ -271,13 +274,14 @@ const std::vector<Mender::Choice>& Mender::choicesAt(std::uint32_t a, bool moves
   return found.what;
 }
 
-/// The best change for a pair; vertices are moved only where nothing else helps. Without gain if there is
+/// The best edit for a pair; vertices are moved only where nothing else helps. Its gain is 0 if there is
 /// none.
-Mender::Choice Mender::bestFor(const TrianglePair& pair, double reach) {
+IntersectionRepairer::Choice IntersectionRepairer::bestFor(const TrianglePair& pair, double reach) {
   std::vector<std::uint32_t> vertices;
   for (const std::uint32_t t : pair) {
     for (const std::uint32_t v : edit_.mesh().triangles[t]) {
-      if (whole(v) && std::find(vertices.begin(), vertices.end(), v) == vertices.end()) vertices.push_back(v);
+      if (hasWholeStar(v) && std::find(vertices.begin(), vertices.end(), v) == vertices.end())
+        vertices.push_back(v);
     }
   }
   Choice best;
@@ -293,8 +297,8 @@ Mender::Choice Mender::bestFor(const TrianglePair& pair, double reach) {
   return best;
 }
 
-/// Makes the best change for a pair that still meets. False if there is none.
-bool Mender::mend(const TrianglePair& pair, double reach) {
+/// Makes the best edit for a pair that still intersects. False if there is none.
+bool IntersectionRepairer::repair(const TrianglePair& pair, double reach) {
   const Choice best = bestFor(pair, reach);
   if (best.gain == 0) return false;
   const Triangles triangles = affected(best.edit);
@@ -313,17 +317,17 @@ bool Mender::mend(const TrianglePair& pair, double reach) {
       pairs_.insert(t);
     }
   }
-  if (best.edit.kind == Edit::kJoin) lost_.vertices.push_back(best.edit.a);
+  if (best.edit.kind == Edit::kCollapse) lost_.vertices.push_back(best.edit.a);
   return true;
 }
 
-std::vector<TrianglePair> Mender::run() {
+std::vector<TrianglePair> IntersectionRepairer::run() {
   std::vector<TrianglePair> pairs = group_.pairs;
   for (const double reach : kReaches) {
     for (int round = 0; round < kRounds && !pairs.empty(); ++round) {
       bool any = false;
       for (const TrianglePair& pair : pairs) {
-        while (pairs_.meets(pair) && mend(pair, reach * cell_)) any = true;
+        while (pairs_.meets(pair) && repair(pair, reach * cell_)) any = true;
       }
       if (!any) break;
       pairs = pairs_.among(group_.triangles);
@@ -334,28 +338,28 @@ std::vector<TrianglePair> Mender::run() {
 
 }  // namespace
 
-std::vector<TrianglePair> mendIntersections(TriMesh& mesh, const std::vector<TrianglePair>& pairs,
-                                            double cell_mm, MendAim aim) {
+std::vector<TrianglePair> repairIntersections(TriMesh& mesh, const std::vector<TrianglePair>& pairs,
+                                              double cell_mm, RepairAim aim) {
   if (pairs.empty()) return {};
-  const MendSurroundings around(mesh, cell_mm, pairs);
+  const RepairRegions around(mesh, cell_mm, pairs);
   const auto& groups = around.groups();
   const std::vector<std::size_t> trials = sharedTrials(groups);
   std::vector<std::uint32_t> seen(mesh.triangles.size(), 0);
-  std::vector<std::unique_ptr<Mender>> menders(groups.size());
+  std::vector<std::unique_ptr<IntersectionRepairer>> repairers(groups.size());
   std::vector<std::vector<TrianglePair>> left(groups.size());
   parallelFor(std::size_t{0}, groups.size(), [&](std::size_t i) {
-    menders[i] = std::make_unique<Mender>(mesh, cell_mm, around, groups[i], seen, trials[i]);
-    left[i] = menders[i]->run();
+    repairers[i] = std::make_unique<IntersectionRepairer>(mesh, cell_mm, around, groups[i], seen, trials[i]);
+    left[i] = repairers[i]->run();
   });
   std::vector<TrianglePair> out;
   for (const auto& list : left) out.insert(out.end(), list.begin(), list.end());
-  if (aim == MendAim::kAll && !out.empty()) {
-    for (const auto& mender : menders) mender->takeBack();
+  if (aim == RepairAim::kAll && !out.empty()) {
+    for (const auto& repairer : repairers) repairer->takeBack();
     return out;
   }
   LostParts all;
-  for (const auto& mender : menders) {
-    const LostParts& part = mender->lost();
+  for (const auto& repairer : repairers) {
+    const LostParts& part = repairer->lost();
     all.triangles.insert(all.triangles.end(), part.triangles.begin(), part.triangles.end());
     all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
   }

@@ -1,23 +1,24 @@
-#include "removal/surface/repair/mend_pairs.h"
+#include "removal/surface/repair/intersecting_pairs.h"
 
 #include <algorithm>
 
 namespace proveout {
 
-MendPairs::MendPairs(const MeshEditor& edit, const MendBlocks& blocks, double reach_mm,
-                     const std::vector<std::uint32_t>& triangles, std::vector<std::uint32_t>& seen)
+IntersectingPairs::IntersectingPairs(const MeshEditor& edit, const RepairBlocks& blocks, double reach_mm,
+                                     const std::vector<std::uint32_t>& triangles,
+                                     std::vector<std::uint32_t>& seen)
     : edit_(edit), space_(blocks), reach_(reach_mm), seen_(seen) {
   for (const std::uint32_t t : triangles) insert(t);
 }
 
-void MendPairs::insert(std::uint32_t t) {
+void IntersectingPairs::insert(std::uint32_t t) {
   space_.each(boxOf(points(t)), [&](std::uint64_t key) {
     auto& list = blocks_[key];
     if (list.empty() || list.back() != t) list.push_back(t);
   });
 }
 
-void MendPairs::findNear(const std::vector<std::uint32_t>& triangles) {
+void IntersectingPairs::findNear(const std::vector<std::uint32_t>& triangles) {
   near_.clear();
   ++search_;
   Box3 box;
@@ -40,8 +41,8 @@ void MendPairs::findNear(const std::vector<std::uint32_t>& triangles) {
   });
 }
 
-std::size_t MendPairs::find(const std::vector<std::uint32_t>& triangles, std::size_t most,
-                            std::vector<TrianglePair>* found) {
+std::size_t IntersectingPairs::find(const std::vector<std::uint32_t>& triangles, std::size_t most,
+                                    std::vector<TrianglePair>* found) {
   findNear(triangles);
   std::size_t count = 0;
   const auto look = [&](std::uint32_t t, std::uint32_t u) {
@@ -62,12 +63,12 @@ std::size_t MendPairs::find(const std::vector<std::uint32_t>& triangles, std::si
   return count;
 }
 
-bool MendPairs::meets(const TrianglePair& pair) const {
+bool IntersectingPairs::meets(const TrianglePair& pair) const {
   if (edit_.gone(pair[0]) || edit_.gone(pair[1])) return false;
   return pair[0] == pair[1] ? isNeedle(edit_.mesh(), pair[0]) : trianglesMeet(edit_.mesh(), pair[0], pair[1]);
 }
 
-std::vector<TrianglePair> MendPairs::among(const std::vector<std::uint32_t>& triangles) {
+std::vector<TrianglePair> IntersectingPairs::among(const std::vector<std::uint32_t>& triangles) {
   std::vector<TrianglePair> out;
   for (const std::uint32_t t : triangles) {
     if (edit_.gone(t)) continue;

@@ -1,5 +1,5 @@
-// Meshes with triangles that run through each other, mended or left as they were.
-#include "removal/surface/repair/surface_mend.h"
+// Meshes with triangles that run through each other, repaired or left as they were.
+#include "removal/surface/repair/intersection_repair.h"
 
 #include <gtest/gtest.h>
 
@@ -54,52 +54,52 @@ std::uint32_t vertexAt(const TriMesh& mesh, const Eigen::Vector3f& p) {
   return best;
 }
 
-/// Mends and checks what always holds.
-std::size_t mend(TriMesh& mesh) {
-  const std::size_t left = mendIntersections(mesh, allPairs(mesh), 1.0).size();
+/// Repairs and checks what always holds.
+std::size_t repair(TriMesh& mesh) {
+  const std::size_t left = repairIntersections(mesh, allPairs(mesh), 1.0).size();
   EXPECT_EQ(left, allPairs(mesh).size());
   EXPECT_TRUE(analyseTopology(mesh).closedManifold());
   EXPECT_EQ(mesh.motion.size(), mesh.triangles.size());
   return left;
 }
 
-TEST(SurfaceMend, LeavesASoundMeshAlone) {
+TEST(IntersectionRepair, LeavesASoundMeshAlone) {
   TriMesh mesh = block(4);
   const TriMesh before = mesh;
   ASSERT_TRUE(allPairs(mesh).empty());
-  EXPECT_EQ(mend(mesh), 0u);
+  EXPECT_EQ(repair(mesh), 0u);
   EXPECT_EQ(mesh.positions, before.positions);
   EXPECT_EQ(mesh.triangles, before.triangles);
 }
 
-TEST(SurfaceMend, PutsVerticesOfAnEdgeInOrder) {
+TEST(IntersectionRepair, PutsVerticesOfAnEdgeInOrder) {
   TriMesh mesh = block(6);
   // Along the top edge at y = 0, one vertex beyond the next: both stay on the edge.
   mesh.positions[vertexAt(mesh, {2, 0, 6})].x() = 3.4f;
   ASSERT_FALSE(allPairs(mesh).empty());
-  EXPECT_EQ(mend(mesh), 0u);
+  EXPECT_EQ(repair(mesh), 0u);
   EXPECT_NEAR(meshVolume(mesh), 216.0, 1e-3);
   EXPECT_NEAR(meshArea(mesh), 216.0, 1e-3);
 }
 
-TEST(SurfaceMend, DrawsCoincidentVerticesTogether) {
+TEST(IntersectionRepair, DrawsCoincidentVerticesTogether) {
   TriMesh mesh = block(6);
   mesh.positions[vertexAt(mesh, {2, 0, 6})] = mesh.positions[vertexAt(mesh, {3, 0, 6})];
   ASSERT_FALSE(allPairs(mesh).empty());
-  EXPECT_EQ(mend(mesh), 0u);
+  EXPECT_EQ(repair(mesh), 0u);
   EXPECT_NEAR(meshVolume(mesh), 216.0, 1e-3);
 }
 
-TEST(SurfaceMend, KeepsACornerThatIsFoldedUnder) {
+TEST(IntersectionRepair, KeepsACornerThatIsFoldedUnder) {
   TriMesh mesh = block(6);
   mesh.positions[vertexAt(mesh, {5, 5, 6})] = {6.0f, 6.0f, 6.0f};
   ASSERT_FALSE(allPairs(mesh).empty());
-  EXPECT_EQ(mend(mesh), 0u);
+  EXPECT_EQ(repair(mesh), 0u);
   const Eigen::Vector3f corner(6, 6, 6);
   EXPECT_LT((mesh.positions[vertexAt(mesh, corner)] - corner).norm(), 0.051f);
 }
 
-TEST(SurfaceMend, GivesUpWhereBodiesRunThroughEachOther) {
+TEST(IntersectionRepair, GivesUpWhereBodiesRunThroughEachOther) {
   TriMesh mesh = block(3);
   const TriMesh other = block(3);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
@@ -107,12 +107,12 @@ TEST(SurfaceMend, GivesUpWhereBodiesRunThroughEachOther) {
   for (const auto& t : other.triangles) mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
   mesh.motion.resize(mesh.triangles.size(), 8);
   ASSERT_FALSE(allPairs(mesh).empty());
-  EXPECT_GT(mend(mesh), 0u);
+  EXPECT_GT(repair(mesh), 0u);
   // Neither gets away from where it was.
   EXPECT_NEAR(meshVolume(mesh), 54.0, 1.0);
 }
 
-TEST(SurfaceMend, LeavesAllAsItWasIfAllIsAskedForInVain) {
+TEST(IntersectionRepair, LeavesAllAsItWasIfAllIsAskedForInVain) {
   TriMesh mesh = block(3);
   const TriMesh other = block(3);
   TriMesh folded = block(6);
@@ -127,21 +127,21 @@ TEST(SurfaceMend, LeavesAllAsItWasIfAllIsAskedForInVain) {
   add(folded, {40, 0, 0});
   TriMesh most = mesh, all = mesh;
   const auto pairs = allPairs(mesh);
-  const auto left = mendIntersections(most, pairs, 1.0, MendAim::kMost);
+  const auto left = repairIntersections(most, pairs, 1.0, RepairAim::kMost);
   EXPECT_LT(left.size(), pairs.size());
   EXPECT_NE(most.positions, mesh.positions);
-  EXPECT_EQ(mendIntersections(all, pairs, 1.0, MendAim::kAll), left);
+  EXPECT_EQ(repairIntersections(all, pairs, 1.0, RepairAim::kAll), left);
   EXPECT_EQ(all.positions, mesh.positions);
   EXPECT_EQ(all.triangles, mesh.triangles);
   EXPECT_EQ(all.motion, mesh.motion);
 }
 
-TEST(SurfaceMend, IsTheSameEachTime) {
+TEST(IntersectionRepair, IsTheSameEachTime) {
   TriMesh a = block(6);
   a.positions[vertexAt(a, {2, 0, 6})].x() = 3.4f;
   a.positions[vertexAt(a, {4, 3, 6})].y() = 4.2f;
   TriMesh b = a;
-  EXPECT_EQ(mend(a), mend(b));
+  EXPECT_EQ(repair(a), repair(b));
   EXPECT_EQ(a.positions, b.positions);
   EXPECT_EQ(a.triangles, b.triangles);
 }

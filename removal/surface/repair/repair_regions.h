@@ -1,4 +1,4 @@
-// What is around triangles that meet, in groups that can be mended each for itself.
+// The regions around triangles that intersect, in groups that can be repaired independently.
 #pragma once
 
 #include <array>
@@ -18,9 +18,9 @@ inline Box3 boxOf(const std::array<Vec3, 3>& p) {
 }
 
 /// Space in blocks of two cells.
-class MendBlocks {
+class RepairBlocks {
  public:
-  explicit MendBlocks(double cell_mm);
+  explicit RepairBlocks(double cell_mm);
 
   std::uint64_t keyAt(const Vec3& p) const { return keyOf(blockOf(p)); }
   /// Calls body(key) for each block that the box reaches into.
@@ -52,26 +52,26 @@ class MendBlocks {
   double scale_;
 };
 
-/// What is around the pairs, in groups that do not touch each other.
-class MendSurroundings {
+/// The triangles around the pairs, in groups that do not touch each other.
+class RepairRegions {
  public:
   struct Group {
     std::vector<std::uint32_t> triangles;  ///< ascending
     std::vector<TrianglePair> pairs;       ///< in the order given
   };
 
-  MendSurroundings(const TriMesh& mesh, double cell_mm, const std::vector<TrianglePair>& pairs);
+  RepairRegions(const TriMesh& mesh, double cell_mm, const std::vector<TrianglePair>& pairs);
   const std::vector<Group>& groups() const { return groups_; }
-  const MendBlocks& blocks() const { return blocks_; }
-  /// Whether all triangles at a vertex here are known.
-  bool whole(const Vec3& p) const { return marked_.contains(blocks_.keyAt(p)); }
+  const RepairBlocks& blocks() const { return blocks_; }
+  /// Whether all triangles at a vertex at `p` (mm) belong to these regions.
+  bool hasWholeStar(const Vec3& p) const { return marked_.contains(blocks_.keyAt(p)); }
 
  private:
   void share(const TriMesh& mesh, const std::vector<std::uint32_t>& near,
              const std::vector<TrianglePair>& pairs);
 
-  MendBlocks blocks_;
-  std::unordered_set<std::uint64_t> marked_;  ///< blocks that are looked at
+  RepairBlocks blocks_;
+  std::unordered_set<std::uint64_t> marked_;  ///< blocks of the regions
   std::vector<Group> groups_;
 };
 
