@@ -3,6 +3,7 @@ JOBS ?= $(shell nproc)
 DEMO ?= parts/bracket
 DEMO_OUT ?= out/$(notdir $(DEMO))
 BENCH ?=
+BASE ?=
 MINUTES ?= 5
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
@@ -16,7 +17,8 @@ help:
 	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
-	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well'
+	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well; BASE=COMMIT builds that'
+	@echo '            commit in build/base and runs each case in turn with it'
 	@echo 'make asan   the test suite under the address and undefined-behaviour sanitizers'
 	@echo 'make tsan   the test suite under the thread sanitizer'
 	@echo 'make clean  remove build/ and out/'
@@ -61,9 +63,13 @@ study: configure
 
 bench: configure
 	cmake --build --preset release --target benches -j $(JOBS)
+ifeq ($(BASE),)
 	build/release/bin/bench_programs $(BENCH)
 	build/release/bin/bench_sweeps
 	build/release/bin/bench_prediction
+else
+	base=$$(.ci/build-base $(BASE) $(JOBS)) && build/release/bin/bench_programs --times 5 $(BENCH) --against $$base
+endif
 
 asan tsan: deps
 	cmake --preset $@

@@ -112,6 +112,19 @@ void printRuns(const std::string& name, const Case& c, const Runs& runs) {
   fmt::print("\n");
 }
 
+/// What runs in turn took, as a share of what the other program took: medians of the pairs.
+void printRatios(const Runs& before, const Runs& now) {
+  if (!before.failure.empty() || !now.failure.empty()) return;
+  const auto ratio = [](const std::vector<double>& a, const std::vector<double>& b) {
+    std::vector<double> ratios;
+    for (std::size_t k = 0; k < a.size(); ++k) ratios.push_back(a[k] / std::max(b[k], 1e-6));
+    return median(ratios);
+  };
+  fmt::print("{:<30} cpu x {:.3f}, mesh x {:.3f}, peak memory x {:.3f}\n", "  now to before",
+             ratio(now.cpu_s, before.cpu_s), ratio(now.mesh_s, before.mesh_s),
+             ratio(now.peak_mb, before.peak_mb));
+}
+
 void runCase(const Case& c, const Options& options, const Workplace& work, RemovalTimes& removal) {
   if (c.text && !fs::exists(work.path(c.file))) work.write(c.file, c.text());
   Runs before, now;
@@ -120,7 +133,10 @@ void runCase(const Case& c, const Options& options, const Workplace& work, Remov
     runOnce(programPath(), c, options, work, now);
   }
   printRuns(c.name, c, now);
-  if (!options.against.empty()) printRuns("  before", c, before);
+  if (!options.against.empty()) {
+    printRuns("  before", c, before);
+    printRatios(before, now);
+  }
   if (now.failure.empty()) removal[c.name] = median(now.remove_s);
   std::fflush(stdout);
 }
