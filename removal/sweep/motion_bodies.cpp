@@ -44,26 +44,26 @@ const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part)
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
   const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, m, &arc));
-  if (isLevelArc(m, arc)) {
+  const ArcFrame frame = arcFrame(m.from, m.to, arc);
+  if (isLevelArc(arc, frame)) {
     bodies_.push_back(
         {SweptBody(*part.profile, LevelArcBody(columnArc(*part.solid, m.from, m.to, arc)), &curve)});
-  } else if (!addTurns(m, part, curve) && !addWay(id, part, curve)) {
-    addChords(m, part, curve);
+  } else if (!addTurns(m, frame, part, curve) && !addWay(id, part, curve)) {
+    addChords(m, frame, part, curve);
   }
   return bodies_;
 }
 
-bool BodyMaker::isLevelArc(const Motion& motion, const ArcGeometry& arc) const {
-  const ArcFrame frame = arcFrame(motion.from, motion.to, arc);
+bool BodyMaker::isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const {
   return arc.normal.head<2>().squaredNorm() < 1e-24 && std::abs(frame.rise) < kSameRadiusMm &&
          std::abs(frame.radius_end - frame.radius_start) < kSameRadiusMm &&
          frame.radius_start > kSameRadiusMm;
 }
 
 /// Turns of a helix about z, or the two halves of an upright arc. False for curves that have neither.
-bool BodyMaker::addTurns(const Motion& m, const PartUse& part, const SweptField& curve) {
+bool BodyMaker::addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part,
+                         const SweptField& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double growth = std::abs(frame.radius_end - frame.radius_start), sweep = std::abs(arc.sweep_rad);
   if (growth > 2.0 * kChordMm || std::min(frame.radius_start, sweep) < kLeastCurve) return false;
   if (sweep > 2.0 * kPi * kMostChords) return false;
@@ -132,9 +132,9 @@ void BodyMaker::addWayChords(const PartUse& part, const WaySweep& columns, const
 
 /// Chords of a curve. Those of a helix about z lie under each other, turn by turn: where the lower ones cover
 /// all of the blank that the upper ones do, these are left out.
-void BodyMaker::addChords(const Motion& m, const PartUse& part, const SweptField& curve) {
+void BodyMaker::addChords(const Motion& m, const ArcFrame& frame, const PartUse& part,
+                          const SweptField& curve) {
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const ArcFrame frame = arcFrame(m.from, m.to, arc);
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6}),
                sweep = std::abs(arc.sweep_rad);
   const bool whole =

@@ -50,12 +50,12 @@ class BodyMaker {
   const std::vector<MotionBody>& make(MotionId id, const PartUse& part);
 
  private:
-  bool isLevelArc(const Motion& motion, const ArcGeometry& arc) const;
-  bool addTurns(const Motion& m, const PartUse& part, const SweptField& curve);
+  bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;
+  bool addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
   void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);
   bool addWay(MotionId id, const PartUse& part, const SweptField& curve);
   void addWayChords(const PartUse& part, const WaySweep& columns, const SweptField& curve);
-  void addChords(const Motion& m, const PartUse& part, const SweptField& curve);
+  void addChords(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
 
   const Toolpath& path_;
   double h_, blank_top_;
