@@ -31,10 +31,12 @@ double distanceTo(const Box3& box, const Vec3& p) {
   return (box.min - p).cwiseMax(p - box.max).cwiseMax(Vec3::Zero()).norm();
 }
 
-/// Below 0 inside: what is in the box is no deeper.
-double signedDistanceTo(const Box3& box, const Vec3& p) {
+/// Whether what is in the box may be nearer to `p` than `within`; below 0: hold it deeper than that.
+bool mayComeTo(const Box3& box, const Vec3& p, double within) {
   const Vec3 out = (box.min - p).cwiseMax(p - box.max);
-  return out.maxCoeff() < 0.0 ? out.maxCoeff() : out.cwiseMax(Vec3::Zero()).norm();
+  const double most = out.maxCoeff();
+  if (most >= within) return false;
+  return most < 0.0 || out.cwiseMax(Vec3::Zero()).squaredNorm() < within * within;
 }
 
 }  // namespace
@@ -191,7 +193,7 @@ void CutterIndex::collect(const Vec3& p, double within, std::vector<SweptField>&
 }
 
 bool CutterIndex::comesTo(const Vec3& p, double within, std::uint32_t except) const {
-  return anyOf([&](const auto& box) { return signedDistanceTo(box, p) < within; },
+  return anyOf([&](const auto& box) { return mayComeTo(box, p, within); },
                [&](const SweptCutter& body) {
                  return body.pass != except && body.distance(table_, p, within) < within;
                });

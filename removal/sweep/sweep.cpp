@@ -18,8 +18,6 @@ constexpr double kKinkStepMm = 1e-3;
 constexpr double kSquareSlope = 1e-6;
 /// Elements of the profile that meet at more than 10 degrees have a sharp rim between them.
 const double kRimCos = std::cos(degToRad(10.0));
-/// Where the search along a line stops: far below what anybody sees.
-constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
 /// Height of normals of a straight element of the profile, within rounding.
 constexpr double kFaceSlack = 1e-6;
 /// The tool is at a wall that it leaves going upright, mm: rounding.
@@ -239,10 +237,18 @@ double Sweep::newtonStep(const Vec3& p, const Place& from) const {
   return rim_value > 0.0 && bends > 0.0 ? edge - rim_slope * rim_value / bends : edge;
 }
 
+/// Whether Newton's next step ends between the parameters `low` and `high` and promises to gain little.
+bool Sweep::isSettled(const Vec3& p, const Place& place, double low, double high, double tolerance) const {
+  constexpr double kMostGain = 0.25;  // of the tolerance
+  if (!(place.at.bend > 0.0)) return false;
+  const double step = newtonStep(p, place), end = place.t + step;
+  return end >= low && end <= high && 0.5 * std::abs(step * place.at.slope) < kMostGain * tolerance;
+}
+
 /// Newton's method from one side until the least value lies between two places, which the support lines there
 /// prove (the value is convex).
-Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound,
-                                 double start) const {
+Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound, double start,
+                                 Search search) const {
   Place low{0.0, {}}, high{1.0, {}};  // of slopes below and above 0; at the ends before they are known
   bool low_known = false, high_known = false, helps = true;
   const double first = start < 0.0 ? guessOnLine(p) : start;
@@ -271,6 +277,7 @@ Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance,
       const bool at_end = !between && std::abs(t - best.t) < kAtEnd;
       return at_end ? Place{t, evaluateLine(p, t)} : best;
     }
+    if (search == Search::kSettled && isSettled(p, now, low.t, high.t, tolerance)) return now;
     // At kinks Newton's steps lead nowhere: there follows one to where the support lines meet.
     if (helps || !between) {
       double step = std::abs(newtonStep(p, now));
@@ -292,9 +299,9 @@ Sweep::Place Sweep::minimiseLine(const Vec3& p, double cutoff, double tolerance,
   return now;
 }
 
-Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound,
-                             double start) const {
-  if (kind_ == Kind::kLine) return minimiseLine(p, cutoff, tolerance, bound, start);
+Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start,
+                             Search search) const {
+  if (kind_ == Kind::kLine) return minimiseLine(p, cutoff, tolerance, bound, start, search);
   if (kind_ == Kind::kCurve) return minimiseCurve(p, cutoff, tolerance, bound, start);
   const double t = kind_ == Kind::kPoint ? 0.0 : levelParameter(p.x(), p.y());
   const Place place{t, evaluate(p, t)};
@@ -302,13 +309,14 @@ Sweep::Place Sweep::minimise(const Vec3& p, double cutoff, double tolerance, dou
   return place;
 }
 
-/// Distance to what a ball end sweeps along a line, where its sphere is nearest; else kNotBall.
-double Sweep::ballGap(const Vec3& p) const {
+/// Distance to what a ball end sweeps along a line, where its sphere is nearest; else kNotBall. `from_center`
+/// receives the way from the sphere's nearest centre.
+double Sweep::ballGap(const Vec3& p, Vec3& from_center) const {
   const double radius = profile_->ballCenter();
   const Vec3 q = p - from_ - Vec3(0.0, 0.0, radius);
   // The sphere's nearest position is the tool's, as long as the point is level with or below the centre
   // there.
-  const Vec3 e = q - std::clamp(q.dot(delta_) / length2_, 0.0, 1.0) * delta_;
+  const Vec3 e = from_center = q - std::clamp(q.dot(delta_) / length2_, 0.0, 1.0) * delta_;
   const double gap = e.norm() - radius;
   // Within a short ball its top may be nearer.
   return e.z() <= 0.0 && (gap >= 0.0 || profile_->zMax() >= 2.0 * radius) ? gap : kNotBall;
@@ -323,16 +331,17 @@ double Sweep::helixBound(const Vec3& p) const {
   return std::max(least - from_axis, from_axis - most) - profile_->maxRadius() - kRounding;
 }
 
-double Sweep::distance(const Vec3& p, double cutoff) const {
+double Sweep::distance(const Vec3& p, double cutoff, double tolerance) const {
   if (kind_ == Kind::kLine && profile_->ballCenter() > 0.0) {
-    if (const double d = ballGap(p); d < kNotBall) return d;
+    Vec3 from_center;
+    if (const double d = ballGap(p, from_center); d < kNotBall) return d;
   }
   if (replacesChords()) {
     const double bound = helixBound(p);
     if (bound > cutoff) return bound;
   }
   double bound = 0.0;
-  const Place place = minimise(p, cutoff, kLineToleranceMm, bound);
+  const Place place = minimise(p, cutoff, tolerance, bound);
   return bound > cutoff ? bound : place.at.value;
 }
 
@@ -347,8 +356,14 @@ bool Sweep::holds(const Vec3& a, const Vec3& b) const {
 }
 
 SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start) const {
+  if (profile_->ballCenter() > 0.0 && (kind_ == Kind::kLine || kind_ == Kind::kLevelLine)) {
+    Vec3 out;
+    const double gap = ballGap(p, out), distance = gap + profile_->ballCenter();
+    if (gap < kNotBall && distance > 0.0) return {gap, out / distance, profile_->firstElementId()};
+  }
   double bound = 0.0;
-  const auto [t, at] = minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound, start);
+  const auto [t, at] =
+      minimise(p, std::numeric_limits<double>::infinity(), tolerance, bound, start, Search::kSettled);
   if (kind_ == Kind::kLine) start = t == guessOnLine(p) ? kAnywhere : t;
   if (kind_ == Kind::kCurve) start = t;
   const int element = elementAt(p, at);

@@ -24,6 +24,9 @@ namespace proveout {
 /// sweeps.
 inline constexpr double kSweepToleranceMm = 1e-7;
 
+/// Where the search along a line stops: far below what anybody sees.
+inline constexpr double kLineToleranceMm = 0.01 * kSweepToleranceMm;
+
 struct SweepSample {
   double value;   ///< mm
   Vec3 gradient;  ///< unit, away from the swept volume
@@ -39,8 +42,9 @@ class Sweep {
   /// `profile` must outlive the sweep. `arc` is null for lines.
   Sweep(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc);
 
-  /// Distance at `p`. Values above `cutoff` may be returned as any lower bound above `cutoff`.
-  double distance(const Vec3& p, double cutoff) const;
+  /// Distance at `p`, on lines to within `tolerance`, mm. Values above `cutoff` may be returned as any lower
+  /// bound above `cutoff`.
+  double distance(const Vec3& p, double cutoff, double tolerance = kLineToleranceMm) const;
   SweepSample sample(const Vec3& p) const;
   /// The same of a point on the surface of the swept volume, where the solid touches it at about the
   /// parameter `start`: on curves a short search from there, or that of sample() if it finds no such place.
@@ -96,11 +100,16 @@ class Sweep {
   Vec3 position(double t) const;
   double levelParameter(double x, double y) const;
   double refineLevel(double x, double y, double t) const;
+  /// Whether a search on a line ends on its proven bound, or already where the next step promises to gain
+  /// less than the tolerance.
+  enum class Search { kProven, kSettled };
   /// The place of the least value, on a line to within `tolerance`; `bound` receives a proven lower bound of
   /// the value. Where that is above `cutoff`, any place.
-  Place minimise(const Vec3& p, double cutoff, double tolerance, double& bound,
-                 double start = kAnywhere) const;
-  Place minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound, double start) const;
+  Place minimise(const Vec3& p, double cutoff, double tolerance, double& bound, double start = kAnywhere,
+                 Search search = Search::kProven) const;
+  Place minimiseLine(const Vec3& p, double cutoff, double tolerance, double& bound, double start,
+                     Search search) const;
+  bool isSettled(const Vec3& p, const Place& place, double low, double high, double tolerance) const;
   double guessOnLine(const Vec3& p) const;
   double stepToEdge(const Vec3& p, const Place& from) const;
   double newtonStep(const Vec3& p, const Place& from) const;
@@ -114,7 +123,7 @@ class Sweep {
   double boxBound(const Vec3& p, double a, double b) const;
   void slantedColumn(double x, double y, double z0, double dz, int count, const double* cutoff,
                      double* out) const;
-  double ballGap(const Vec3& p) const;
+  double ballGap(const Vec3& p, Vec3& from_center) const;
   double horizontalGap(double x, double y) const;
   double helixBound(const Vec3& p) const;
 

@@ -21,9 +21,10 @@ class SweptField {
   SweptField(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc)
       : way_(std::in_place_type<Sweep>, profile, from, to, arc) {}
 
-  /// Distance at `p`, mm. Values above `cutoff` may be returned as any lower bound above `cutoff`.
-  double distance(const Vec3& p, double cutoff) const {
-    return std::visit([&](const auto& way) { return way.distance(p, cutoff); }, way_);
+  /// Distance at `p`, mm, on lines to within `tolerance`, mm. Values above `cutoff` may be returned as any
+  /// lower bound above `cutoff`.
+  double distance(const Vec3& p, double cutoff, double tolerance = kLineToleranceMm) const {
+    return std::visit([&](const auto& way) { return way.distance(p, cutoff, tolerance); }, way_);
   }
   SweepSample sample(const Vec3& p) const {
     return std::visit([&](const auto& way) { return way.sample(p); }, way_);

@@ -107,7 +107,7 @@ constexpr double kLineCounts = 2.0;
 
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
-constexpr double kMapWork = 6e6;
+constexpr double kMapWork = 1.5e6;
 /// Arcs as this many chords a turn: enough for a coarse map.
 constexpr double kChordsPerTurn = 24.0;
 

@@ -150,8 +150,9 @@ bool ExactFaces::isRounded(std::int64_t body) const {
   return arc;
 }
 
-double ExactFaces::distanceTo(std::int64_t body, const Vec3& q) {
-  return bodyOf(body).field.distance(corner_ + h_ * q, h_) / h_;
+bool ExactFaces::isFarther(std::int64_t body, const Vec3& q, double by) {
+  constexpr double kTold = 0.05;
+  return bodyOf(body).field.distance(corner_ + h_ * q, by * h_, kTold * by * h_) > by * h_;
 }
 
 double ExactFaces::blankValue(const Vec3& q) const { return blank_->value(corner_ + h_ * q) / h_; }

@@ -71,8 +71,9 @@ class ExactFaces {
   /// Whether a pass made the body with a tool that has a round element, so that its faces may blend into
   /// each other.
   bool isRounded(std::int64_t body) const;
-  /// Distance of `q` from a body that a pass made, both in units of the cell; 1 at most.
-  double distanceTo(std::int64_t body, const Vec3& q);
+  /// Whether `q` is farther than `by` (above 0) from a body that a pass made, both in units of the cell; to a
+  /// twentieth of that.
+  bool isFarther(std::int64_t body, const Vec3& q, double by);
   /// Whether the surface is the blank's own.
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.

@@ -54,6 +54,10 @@ class StepFinder {
     return p.d / p.n.dot(up_);
   }
   bool isLow(std::uint64_t face) { return exact_.source(face).body == body_; }
+  bool endsAtRims(std::uint64_t face) {
+    const ExactFaces::Source source = exact_.source(face);
+    return source.body >= 0 && source.ends_at_rims;
+  }
   Vec3 rimNear(const Vec3& x) { return exact_.foot(body_, x + aside_ - up_).p; }
   Vec3 inTheMiddle(const Vec3& b, const Vec3& along) const;
 
@@ -67,8 +71,10 @@ class StepFinder {
   Vec3 aside_ = Vec3::Zero();  ///< unit, across the wall, into the material
 };
 
-/// The mean direction of the normals. False if they do not have one in common, or are of one face.
+/// The mean direction of the normals. False if they do not have one in common, are of one face, or none is of
+/// a face that could be the lower level.
 bool StepFinder::findUp() {
+  if (std::ranges::none_of(points_, [&](const SheetPoint& s) { return endsAtRims(s.face); })) return false;
   for (const SheetPoint& s : points_) {
     mean_ += s.p / static_cast<double>(points_.size());
     up_ += s.n;
@@ -93,9 +99,8 @@ bool StepFinder::findLevels() {
     if (height[i] < height[lowest]) lowest = i;
   }
   low_ = &faces_[lowest];
-  const ExactFaces::Source source = exact_.source(low_->id);
-  body_ = source.body;
-  if (body_ < 0 || !source.ends_at_rims) return false;
+  body_ = exact_.source(low_->id).body;
+  if (!endsAtRims(low_->id)) return false;
   double highest = -std::numeric_limits<double>::infinity(), below_all = height[lowest];
   step_ = -highest;
   for (std::size_t i = 0; i < count; ++i) {

@@ -335,7 +335,7 @@ class LeafPlacer {
       const ExactFaces::Source source = exact_->source(points_[i].face);
       if (!source.ends_at_rims) continue;
       const bool as_before = i > 0 && points_[i].face == points_[i - 1].face;
-      missed[i] = as_before ? missed[i - 1] : exact_->distanceTo(source.body, p) > kTrimDistance;
+      missed[i] = as_before ? missed[i - 1] : exact_->isFarther(source.body, p, kTrimDistance);
       any = any || missed[i];
     }
     if (!any) return false;

@@ -128,7 +128,7 @@ bool VertexRefiner::isBeyondTrim(const Vec3& x) {
   return std::ranges::any_of(faces_, [&](const CellFace& f) {
     const ExactFaces::Source source = exact_.source(f.id);
     return source.ends_at_rims && exact_.isRounded(source.body) &&
-           exact_.distanceTo(source.body, x) > kOnSurface;
+           exact_.isFarther(source.body, x, kOnSurface);
   });
 }
 
