@@ -59,8 +59,8 @@ struct Contact {
   /// micrometre, but where an earlier clamping or a mesh made a curved surface: there to the chords of the
   /// grid.
   double depth_mm = 0.0;
-  /// Stock that was in the way: counted in grid cells, or for less than one by what a cutter moves the surface by; 0
-  /// for what does not cut and meets less than a cell.
+  /// Stock that was in the way: counted in grid cells, or for less than one by what a cutter moves the
+  /// surface by; 0 for what does not cut and meets less than a cell.
   double volume_mm3 = 0.0;
 };
 
@@ -140,6 +140,17 @@ struct StockVolume {
   double edges_mm3 = 0.0;
 };
 
+/// How far the facets of a mesh may be off the true surface, at most, before any are saved: measured where
+/// they are, over what they reach.
+struct FacetError {
+  double mm = 0.0;
+  Vec3 where = Vec3::Zero();  ///< the worst place, mm
+
+  void see(const FacetError& other) {
+    if (other.mm > mm) *this = other;
+  }
+};
+
 /// Surface of the stock as a closed 2-manifold, and the volume from the exact edge crossings.
 struct StockSurface {
   TriMesh mesh;                   ///< with `motion` per triangle
@@ -148,6 +159,7 @@ struct StockSurface {
   /// Material in places that no crossing shows, beside `volume_mm3`; below 0 where there is less. Known of a
   /// box or cylinder and the first path in it; else 0.
   double unseen_mm3 = 0.0;
+  FacetError facets;
   /// Grid cells in which more than one sheet of surface runs, or whose vertex is off the surface by more than
   /// a fifth of a cell: walls, gaps or ridges there are thinner than the grid resolves, and the mesh is less
   /// exact. `first_thin_cell`: middle of the first, mm.

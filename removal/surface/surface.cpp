@@ -80,6 +80,7 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   surface.volume_mm3 = measured->volume.mm3;
   surface.volume_error_mm3 = measured->volume.error_mm3 + unseen.error_mm3;
   surface.unseen_mm3 = unseen.mm3;
+  surface.facets = measured->facets;
   surface.thin_cells = thin.count + unseen.thin.count;
   surface.first_thin_cell = thin.count > 0 ? thin.first : unseen.thin.first;
   surface.self_intersections = repaired->self_intersections;

@@ -361,7 +361,9 @@ std::optional<CellVertex> placeFromFaces(std::span<const SheetPoint> points, boo
   if (known) exactly.emplace(*exact, faces);
   VertexRefiner* refiner = exactly ? &*exactly : nullptr;
   Vec3 apex;
-  if (!round && spanSpace(points) && findApex(points, mean, apex))
+  // A tip smaller than the cell may end the cone before its apex.
+  if (!round && spanSpace(points) && findApex(points, mean, apex) &&
+      (refiner == nullptr || refiner->reaches(apex)))
     return apexVertex(points, mean, sum, refiner, apex);
   if (count == 1 || areAlike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
   findSurfaces(points, faces);

@@ -150,6 +150,11 @@ bool ExactFaces::isRounded(std::int64_t body) const {
   return arc;
 }
 
+double ExactFaces::distanceTo(std::int64_t body, const Vec3& q, double most) {
+  constexpr double kTold = 1e-3;
+  return bodyOf(body).field.distance(corner_ + h_ * q, most * h_, kTold * h_) / h_;
+}
+
 bool ExactFaces::isFarther(std::int64_t body, const Vec3& q, double by) {
   constexpr double kTold = 0.05;
   return bodyOf(body).field.distance(corner_ + h_ * q, by * h_, kTold * by * h_) > by * h_;

@@ -74,6 +74,8 @@ class ExactFaces {
   /// Whether `q` is farther than `by` (above 0) from a body that a pass made, both in units of the cell; to a
   /// twentieth of that.
   bool isFarther(std::int64_t body, const Vec3& q, double by);
+  /// The distance itself, to a thousandth of a cell; any value above `most` where it is more than that.
+  double distanceTo(std::int64_t body, const Vec3& q, double most);
   /// Whether the surface is the blank's own.
   bool ofBlank() const { return blank_ != nullptr; }
   /// Signed value of the blank at `q` (in units of the cell), below 0 in the material. Requires ofBlank.

@@ -172,6 +172,7 @@ class LeafPlacer {
                         v.p.maxCoeff() < 1.0 + kThinReach;
       const Vec3& thin = near ? v.p : v.inside;
       if (sheets > 1) {
+        noteOff((v.p - thin).norm(), count, thin, bit, z);
         sheet_p_[sheet] = thin;
         sheet_mean_[sheet] = Vec3::Zero();
         for (int i = 0; i < count; ++i) sheet_mean_[sheet] += points_[i].p / count;
@@ -192,8 +193,14 @@ class LeafPlacer {
         leaf_.steps.push_back({static_cast<std::uint16_t>(rank), toFloat(origin + step->low),
                                toFloat(origin + step->high), step->motion});
       }
-      if (!v.smooth && isOffSurface(v.p, count)) out.traits |= CellTraits::kOff;
-      if (!v.smooth && exact_->active() && missesFace(v.p, count)) out.traits |= CellTraits::kMisses;
+      if (!v.smooth && isOffSurface(v.p, count)) {
+        out.traits |= CellTraits::kOff;
+        noteOff(kNoLimit, count, v.p, bit, z);
+      }
+      if (const double missed = v.smooth || !exact_->active() ? 0.0 : missedBy(v.p, count); missed > 0.0) {
+        out.traits |= CellTraits::kMisses;
+        noteOff(missed, count, v.p, bit, z);
+      }
       if (v.outside) {
         leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
                                  !v.smooth && isOffSurface(v.inside, count)});
@@ -326,29 +333,38 @@ class LeafPlacer {
     return isCutAway(p, count);
   }
 
-  /// Whether a face is trimmed before the vertex and no other continues it: there is surface beside the
-  /// vertex that no crossing shows.
-  bool missesFace(const Vec3& p, int count) {
-    std::array<bool, 12> missed{};
+  /// Keeps how far a vertex is off the surface: no farther than the nearest crossing.
+  void noteOff(double off, int count, const Vec3& p, int bit, int z) {
+    for (int i = 0; i < count; ++i) off = std::min(off, (p - points_[i].p).norm());
+    if (toFloat(off) > leaf_.farthest.off)
+      leaf_.farthest = {toFloat(off), static_cast<std::uint16_t>(z << 6 | bit)};
+  }
+
+  /// How far (in cells) before the vertex a face is trimmed that no other continues: there is surface beside
+  /// the vertex that no crossing shows. 0 where there is none.
+  double missedBy(const Vec3& p, int count) {
+    std::array<double, 12> missed{};
     bool any = false;
     for (int i = 0; i < count; ++i) {
       const ExactFaces::Source source = exact_->source(points_[i].face);
       if (!source.ends_at_rims) continue;
       const bool as_before = i > 0 && points_[i].face == points_[i - 1].face;
-      missed[i] = as_before ? missed[i - 1] : exact_->isFarther(source.body, p, kTrimDistance);
-      any = any || missed[i];
+      const double distance = as_before ? missed[i - 1] : exact_->distanceTo(source.body, p, kVertexReach);
+      missed[i] = distance > kTrimDistance ? distance : 0.0;
+      any = any || missed[i] > 0.0;
     }
-    if (!any) return false;
+    if (!any) return 0.0;
     const auto isContinued = [&](int i) {
       for (int j = 0; j < count; ++j) {
-        if (!missed[j] && points_[i].n.dot(points_[j].n) > kContinuesCos) return true;
+        if (missed[j] == 0.0 && points_[i].n.dot(points_[j].n) > kContinuesCos) return true;
       }
       return false;
     };
+    double most = 0.0;
     for (int i = 0; i < count; ++i) {
-      if (missed[i] && !isContinued(i)) return true;
+      if (missed[i] > most && !isContinued(i)) most = missed[i];
     }
-    return false;
+    return most;
   }
 
   /// Whether a tool cut away what is at a vertex without making one of its crossings. Only asked where the

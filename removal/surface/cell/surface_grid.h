@@ -62,6 +62,12 @@ struct LevelFace {
   bool operator==(const LevelFace&) const = default;
 };
 
+/// How far the vertex of a cell is off the surface of one of its faces, at most.
+struct OffVertex {
+  float off = 0.0f;         ///< cells
+  std::uint16_t place = 0;  ///< of the cell, as in OutsideVertex
+};
+
 struct SurfaceLeaf {
   const StockLeaf* stock = nullptr;
   LeafEdges edges;
@@ -75,6 +81,7 @@ struct SurfaceLeaf {
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
   std::vector<StepCell> steps;
+  OffVertex farthest;  ///< of its vertices
   std::vector<FeatureEdgeDirection> feature_edges;  ///< those that are known, of cells with one sheet
   LeafClusters clusters;
   LevelFace level;

@@ -75,6 +75,8 @@ constexpr double kMostSeamTurn = 0.3;
 constexpr double kSharpProbe = 0.05, kSharpStays = 0.4;
 /// Faces that meet at less than this (6 degrees, sine) do not give the direction of their feature edge.
 constexpr double kLeastFeatureSine = 0.1;
+/// Bodies come as near as this to what their tangent planes meet in, in cells.
+constexpr double kBesideFace = 0.02;
 /// Edges that run along a face, to 12 degrees (sine), have no certain point where they meet it.
 constexpr double kGrazing = 0.2;
 
@@ -130,6 +132,14 @@ bool VertexRefiner::isBeyondTrim(const Vec3& x) {
     return source.ends_at_rims && exact_.isRounded(source.body) &&
            exact_.isFarther(source.body, x, kOnSurface);
   });
+}
+
+bool VertexRefiner::reaches(const Vec3& x) {
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    const bool of_pass = body_[i] > ExactFaces::kNoBody && !exact_.ofBlank();
+    if (of_pass && exact_.isFarther(body_[i], x, kBesideFace)) return false;
+  }
+  return true;
 }
 
 bool VertexRefiner::bends() const {

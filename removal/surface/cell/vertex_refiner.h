@@ -25,6 +25,8 @@ class VertexRefiner {
   /// Whether a straight face of a rounded tool is trimmed before `x`, where the faces seem to meet: the face
   /// that continues it meets the others then.
   bool isBeyondTrim(const Vec3& x);
+  /// Whether the bodies of all faces come to `x`, as far as passes made them.
+  bool reaches(const Vec3& x);
   /// Whether one of the faces bends, by its body or by its crossings.
   bool bends() const;
   /// Whether a path cut here and the faces, up to `x` where they meet, bend as little as planes. Never true

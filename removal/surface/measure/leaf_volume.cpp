@@ -10,9 +10,18 @@ namespace proveout {
 
 namespace {
 
-/// Of the cones from the blank's middle to the quads of a leaf, grid steps^3; see QuadVolume.
+/// Of the cones from the blank's middle to the quads of a leaf, grid steps^3; see QuadVolume. The farthest
+/// facet is off by so many grid steps, at a place in leaf units.
 struct LeafVolume {
   double volume = 0.0, error = 0.0;
+  double off = 0.0;
+  Vec3 farthest = Vec3::Zero();
+
+  void see(double off_here, const Vec3& where) {
+    if (off_here <= off) return;
+    off = off_here;
+    farthest = where;
+  }
 };
 
 /// The same, bit for bit, as the sum over the quads one by one.
@@ -60,6 +69,7 @@ class LeafMeter {
                                            reader.featureEdgesOf(quad, axis, x, y, z));
         volume->volume += cone.volume;
         volume->error += cone.error;
+        volume->see(cone.off, quad.middle);
       }
       if (planner_ != nullptr) planner_->add(leaf, quad, c, {axis, x, y, z}, quads);
     });
@@ -70,6 +80,21 @@ class LeafMeter {
   const SurfaceGrid& grid_;
   const QuadPlanner* planner_;
 };
+
+/// The farthest facet of all leaves.
+FacetError farthestOf(const SurfaceGrid& grid, const std::vector<LeafVolume>& leaves) {
+  const Stock::Impl& impl = grid.impl();
+  FacetError out;
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    const SurfaceLeaf& leaf = grid.leaves()[i];
+    const Vec3 origin = impl.position(leaf.stock->origin);
+    const auto see = [&](double off, const Vec3& at) { out.see({off * impl.h, origin + impl.h * at}); };
+    see(leaves[i].off, leaves[i].farthest);
+    const int place = leaf.farthest.place;
+    see(leaf.farthest.off, Vec3(place >> 3 & 7, place & 7, place >> 6) + Vec3::Constant(0.5));
+  }
+  return out;
+}
 
 /// The order of the sum is that of the leaves, whatever the threads do.
 StockVolume sumOf(const std::vector<LeafVolume>& leaves, double h) {
@@ -98,6 +123,7 @@ Result<MeasuredLeaves> measure(const SurfaceGrid& grid, const QuadPlanner* plann
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
   if (hole) return gridHole();
   out.volume = sumOf(volumes, grid.impl().h);
+  out.facets = farthestOf(grid, volumes);
   return out;
 }
 

@@ -17,6 +17,7 @@ Result<StockVolume> measureVolume(const SurfaceGrid& grid, Progress& progress);
 
 struct MeasuredLeaves {
   StockVolume volume;            ///< as measureVolume gives it, bit for bit, whatever is merged
+  FacetError facets;             ///< the same whatever is merged
   std::vector<LeafQuads> quads;  ///< one a leaf
 };
 /// Reads each quad once for both. Errors as above.

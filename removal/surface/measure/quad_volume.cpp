@@ -22,6 +22,10 @@ constexpr double kSteepest = 0.7;
 /// Factor on the sum of errors: found on 100 random jobs against grids four times as fine, where without any
 /// other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
+/// Part of what lies between facets and surface by which the volume may be off beside a feature edge, where
+/// the corners say less of how the face bends: with it the volume of 199 of 200 programs of
+/// tests/reference/told_error_test is within what is told.
+constexpr double kBesideFeature = 0.03;
 /// Where corners lie at a smaller slope than this the surface bends as a quadratic: the next term is less
 /// than 1e-4 of the bulge.
 constexpr double kQuarticSlope = 0.01;
@@ -109,6 +113,26 @@ class BendFit {
   double c00_, c01_, c02_, c11_, c12_, c22_, scale_;  ///< of the inverse
   bool whole_;
 };
+
+/// See QuadVolume::off. Where opposite corners are on a feature edge the higher one of the others may be on
+/// the face beyond it: that has crossings of its own.
+double offBetween(const Piece& p, unsigned smooth_corners) {
+  const unsigned on_feature = ~smooth_corners & 0xF;
+  unsigned own = 0xF;
+  for (int i = 0; i < 2; ++i) {
+    const int one = i, other = i + 2;
+    const unsigned beside = i == 0 ? 0xA : 0x5;
+    if ((on_feature & beside) != beside) continue;
+    own &= ~(1u << (std::abs(p.height[one]) > std::abs(p.height[other]) ? one : other));
+  }
+  double low = 0.0, high = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    if ((own >> i & 1) == 0) continue;
+    low = std::min(low, p.height[i]);
+    high = std::max(high, p.height[i]);
+  }
+  return high - low;
+}
 
 double twiceArea(const Piece& p, int a, int b, int c) {
   return (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
@@ -273,18 +297,21 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   const Vec3 from = crossing - apex;
   const Vec3 area = (p.d[2] - p.d[0]).cross(p.d[3] - p.d[1]);  // twice that of the four triangles
   const double cones = from.dot(area) / 6.0;
-  if (flat) return {cones, 0.0};
+  if (flat) return {cones, 0.0, 0.0};
+  const double off = offBetween(p, smooth_corners);
   const bool steep = slope2 > kSteepest * kSteepest;
-  const double error = kErrorFactor * between * 0.5 * area.norm() * (steep ? 1.0 : slope2);
+  const double half = 0.5 * area.norm();
+  const double error = kErrorFactor * between * half * (steep ? 1.0 : slope2) +
+                       (smooth_corners != 0xF ? kBesideFeature * off * half : 0.0);
   if (const int other = cornerBeyondEdge(p, normal, smooth_corners); other >= 0)
-    return {brokenVolume(p, from, other), error};
-  if (steep) return {cones, error};
+    return {brokenVolume(p, from, other), error, off};
+  if (steep) return {cones, error, off};
   p.findPlane(normal);
   const BendFit fit(p);
   const Bend bend = fit.of(p.height);
   const double bulge = slope2 > kQuarticSlope * kQuarticSlope ? roundBulge(p, fit, bend, smooth_corners)
                                                               : bulgeAround(p, bend);
-  return {cones + bulge + sliversAround(p, normal, bend, feature_edges), error};
+  return {cones + bulge + sliversAround(p, normal, bend, feature_edges), error, off};
 }
 
 }  // namespace proveout

@@ -10,6 +10,10 @@ namespace proveout {
 struct QuadVolume {
   double volume = 0.0;  ///< signed, of the cone from the apex to the piece of surface
   double error = 0.0;   ///< about how much it may be off; at least 0
+  /// How far triangles between the corners may be off the piece, at most: both lie between the lowest and the
+  /// highest of corners and crossing over the tangent plane, as a face bends to one side along each way from
+  /// the crossing.
+  double off = 0.0;
 };
 
 inline const std::array<Vec3, 4> kNoFeatureEdges = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
