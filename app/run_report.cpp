@@ -143,7 +143,10 @@ double heightOf(const std::vector<StockBody>& bodies) {
 }
 
 std::vector<ErrorTerm> errorBudget(const RunResult& run) {
-  const double moves = movesUncertainty(run), grid = std::max(0.0, partUncertainty(run) - moves);
+  const double moves = movesUncertainty(run);
+  // What a grid leaves is measured on its facets.
+  const double grid =
+      run.isOfFacets() ? std::max(0.0, partUncertainty(run) - moves) : run.surface().facets.mm;
   std::vector<ErrorTerm> terms;
   const ProcessWords &first = processOf(run.setups.front()).words, &last = processOf(run.setups.back()).words;
   const bool swept = last.exact_section == nullptr;

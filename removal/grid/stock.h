@@ -162,9 +162,8 @@ struct StockSurface {
   FacetError facets;
   /// Grid cells in which more than one sheet of surface runs, or whose vertex is off the surface by more than
   /// a fifth of a cell: walls, gaps or ridges there are thinner than the grid resolves, and the mesh is less
-  /// exact. `first_thin_cell`: middle of the first, mm.
+  /// exact.
   std::size_t thin_cells = 0;
-  Vec3 first_thin_cell = Vec3::Zero();
   /// Pairs of triangles that run through each other and could not be parted.
   std::size_t self_intersections = 0;
 };

@@ -59,7 +59,7 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   progress.report("meshing", 0.0);
   Result<SurfaceGrid> grid = placedCells(impl, flatness, progress);
   if (!grid.ok()) return grid.error();
-  const ThinCells thin = grid->countThin();
+  const std::size_t thin_cells = grid->countThin();
   VertexMerger merger(*grid, flatness);
   progress.report("meshing", 0.4);
   const QuadPlanner planner(*grid, merger, std::max(kFanHeight, 0.5 * simplify_mm / impl.h));
@@ -81,8 +81,7 @@ Result<StockSurface> meshSurface(const Stock::Impl& impl, double simplify_mm, co
   surface.volume_error_mm3 = measured->volume.error_mm3 + unseen.error_mm3;
   surface.unseen_mm3 = unseen.mm3;
   surface.facets = measured->facets;
-  surface.thin_cells = thin.count + unseen.thin.count;
-  surface.first_thin_cell = thin.count > 0 ? thin.first : unseen.thin.first;
+  surface.thin_cells = thin_cells + unseen.thin_cells;
   surface.self_intersections = repaired->self_intersections;
   return surface;
 }

@@ -22,6 +22,8 @@ constexpr double kNothingCut = 1e-9;
 /// Part of a volume that a grid may miss without a word: a round blank four cells thick stays within it.
 constexpr double kHeldShare = 1e-3;
 constexpr double kErrorShare = 2e-3;
+/// Facets that may be off by more of a grid step than this show the surface badly there.
+constexpr double kNotableOff = 0.5;
 
 /// A cut that is this many grid steps wide holds a sample wherever it runs: more than the diagonal of a
 /// square.
@@ -308,15 +310,15 @@ void addThinFeatures(const RemovalSummary& removal, const StockSurface& surface,
         cut.width_mm, cut.length_mm, resolution_mm, cut.width_mm / kCellsInAWidth);
     findings.push_back(std::move(narrow));
   }
-  if (surface.thin_cells > 0) {
-    finding.where = surface.first_thin_cell;
+  if (surface.facets.mm > kNotableOff * resolution_mm) {
+    finding.where = surface.facets.where;
     finding.area_mm2 = static_cast<double>(surface.thin_cells) * resolution_mm * resolution_mm;
     finding.message = fmt::format(
-        "a wall, gap or ridge thinner than the grid of {:g} mm runs through {} of its cells and is not exact "
-        "there; "
-        "take a "
-        "finer resolution",
-        resolution_mm, surface.thin_cells);
+        "a wall, gap, ridge or edge is thinner or rounder than the grid of {:g} mm shows: the mesh may be up "
+        "to {:.2g} "
+        "mm off there{}; take a finer resolution",
+        resolution_mm, surface.facets.mm,
+        surface.thin_cells > 0 ? fmt::format(", in {} cells by much of a cell", surface.thin_cells) : "");
     findings.push_back(finding);
   }
 }

@@ -587,18 +587,10 @@ void SurfaceGrid::numberExtras() {
   }
 }
 
-ThinCells SurfaceGrid::countThin() const {
+std::size_t SurfaceGrid::countThin() const {
   constexpr std::uint16_t kThin = CellTraits::kManySheets | CellTraits::kOff;
-  ThinCells out;
-  for (const SurfaceLeaf& leaf : leaves_) {
-    for (int cell = 0; cell < leaf.cells; ++cell) {
-      if ((traits_[leaf.base + static_cast<std::uint32_t>(cell)] & kThin) == 0 || out.count++ > 0) continue;
-      const int place = leaf.placeOf(cell);
-      out.first = impl_.position(leaf.stock->origin) +
-                  impl_.h * Vec3((place >> 3 & 7) + 0.5, (place & 7) + 0.5, (place >> 6) + 0.5);
-    }
-  }
-  return out;
+  return static_cast<std::size_t>(std::count_if(&traits_[0], &traits_[cell_count_],
+                                                [](std::uint16_t traits) { return (traits & kThin) != 0; }));
 }
 
 bool SurfaceGrid::build(Progress& progress) {

@@ -81,7 +81,7 @@ struct SurfaceLeaf {
   std::vector<ExtraVertex> extra;
   std::vector<OutsideVertex> outside;
   std::vector<StepCell> steps;
-  OffVertex farthest;  ///< of its vertices
+  OffVertex farthest;                               ///< of its vertices
   std::vector<FeatureEdgeDirection> feature_edges;  ///< those that are known, of cells with one sheet
   LeafClusters clusters;
   LevelFace level;
@@ -123,12 +123,6 @@ struct CellTraits {
 
 /// Faces of a cell (bit axis * 2 + side) whose four edges are all crossed and belong to one sheet.
 std::uint8_t oneSheetFaces(CellShape shape);
-
-/// Cells with more than one sheet, or whose vertex is off the surface.
-struct ThinCells {
-  std::size_t count = 0;
-  Vec3 first = Vec3::Zero();  ///< middle of the first, mm
-};
 
 /// Vertices on edges stay this far from the ends (in cells), so that those of several edges never coincide;
 /// vertices in walled cells stay this far from the walls.
@@ -186,8 +180,8 @@ class SurfaceGrid {
   /// Motion of the last path that made the crossing of an edge; kNoMotion where there is no crossing or it
   /// is older.
   MotionId motionOn(int axis, const Coord& at) const;
-  /// Counts the thin cells of all leaves.
-  ThinCells countThin() const;
+  /// Counts the cells with more than one sheet, or whose vertex is off the surface.
+  std::size_t countThin() const;
 
   /// Whether the level face of a leaf continues in the leaves `beside` it (SurfaceLeaf::upper or lower).
   bool isLevel(const SurfaceLeaf& leaf, const std::array<std::int32_t, 8>& beside) const;

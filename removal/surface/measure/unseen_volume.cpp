@@ -139,11 +139,6 @@ void addBeside(const Coord& cell, Places& seen, std::vector<Coord>& out) {
   }
 }
 
-void count(const SurfaceGrid& grid, const Coord& cell, ThinCells& thin) {
-  if (isThin(grid, cell) || thin.count++ > 0) return;
-  thin.first = grid.impl().position(cell) + Vec3::Constant(0.5 * grid.impl().h);
-}
-
 /// The same of cells and of those beside them, as long as something is missed. Empty where that takes too
 /// much work.
 std::optional<UnseenVolume> missedAround(std::vector<Coord> cells, const SurfaceGrid& grid,
@@ -161,7 +156,7 @@ std::optional<UnseenVolume> missedAround(std::vector<Coord> cells, const Surface
       if (std::abs(missed[i]) < kLittle) continue;
       out.mm3 += missed[i];
       out.error_mm3 += kUnsure * std::abs(missed[i]);
-      if (std::abs(missed[i]) >= kMuch) count(grid, cells[i], out.thin);
+      if (std::abs(missed[i]) >= kMuch && !isThin(grid, cells[i])) ++out.thin_cells;
       if (std::abs(missed[i]) >= kSpreads) addBeside(cells[i], seen, next);
     }
     cells = std::move(next);

@@ -11,9 +11,8 @@ struct UnseenVolume {
   double mm3 = 0.0;           ///< material beyond what is under the surface
   double error_mm3 = 0.0;     ///< about how much it may be off
   std::size_t looked_at = 0;  ///< cells
-  /// Cells of which much is missed although they do not count as thin by themselves; middle of the first,
-  /// mm.
-  ThinCells thin{};
+  /// Cells of which much is missed although they do not count as thin by themselves.
+  std::size_t thin_cells = 0;
 };
 
 /// About how much the volume may be off, mm3, because only crossings are known of cells in which an edge

@@ -102,6 +102,10 @@ TEST_F(Fixture, WhatIsThinnerThanTheGridIsAWarning) {
   removal.lost_film_mm2 = 12;
   removal.lost_film_at = {1, 2, 3};
   surface.thin_cells = 4;
+  surface.facets = {0.2, {4, 5, 6}};
+  addThinFeatures({}, surface, 0.5, path, source, findings);  // less than half a step
+  EXPECT_TRUE(findings.empty());
+  surface.facets.mm = 0.3;
   addThinFeatures(removal, surface, 0.5, path, source, findings);
   ASSERT_EQ(findings.size(), 2u);
   EXPECT_EQ(findings[0].kind, FindingKind::kThinFeature);
@@ -109,6 +113,7 @@ TEST_F(Fixture, WhatIsThinnerThanTheGridIsAWarning) {
   EXPECT_EQ(*findings[0].where, Vec3(1, 2, 3));
   EXPECT_DOUBLE_EQ(*findings[0].area_mm2, 12);
   EXPECT_DOUBLE_EQ(*findings[1].area_mm2, 1);
+  EXPECT_EQ(*findings[1].where, Vec3(4, 5, 6));
 }
 
 TEST_F(Fixture, ACutNarrowerThanTheGridNamesToolBlockAndGrid) {
