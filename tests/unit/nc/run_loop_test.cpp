@@ -191,5 +191,52 @@ TEST(RunLoop, EndlessLoopsAreTold) {
   EXPECT_LE(calls.summary().blocks, 101u);
 }
 
+/// A watch of a program of ten blocks that goes round its first two.
+struct Watched {
+  InterpretSummary summary;
+  FlowFrame main;
+  std::string told;
+  RunWatch watch{summary,
+                 nullptr,
+                 1000,
+                 [] { return std::vector<LoopBudget::Named>{}; },
+                 [this](const char* /*what*/, const std::string& message) { told = message; },
+                 100};
+  Watched() { main.end = 10; }
+  FlowPlace next() {
+    summary.blocks += 100;
+    main.block = 1 - main.block;
+    return {main, main, 1, main.block};
+  }
+};
+
+TEST(RunWatch, MotionsOfABlockBeyondTheFreeOnesCount) {
+  Watched run;
+  run.summary.motions = 100;
+  EXPECT_FALSE(run.watch.workOver(run.next()));
+  run.summary.motions += 100 + 998;
+  EXPECT_FALSE(run.watch.workOver(run.next()));
+  EXPECT_TRUE(run.watch.workOver(run.next()));
+  EXPECT_TRUE(run.told.starts_with("1000 blocks executed without an end, chords of curves included"));
+  EXPECT_EQ(run.summary.end, ProgramEnd::kBlockLimit);
+}
+
+TEST(RunWatch, BlocksThatAskForOtherChannelsAreNoLoop) {
+  Watched alone, asks;
+  bool ends = false;
+  for (int k = 0; k < 1000; ++k) {
+    ends = ends || alone.watch.goesOn(alone.next());
+    EXPECT_FALSE(asks.watch.movesOn(asks.next()));
+  }
+  EXPECT_TRUE(ends);
+  EXPECT_TRUE(alone.told.starts_with("an endless loop"));
+  ends = false;
+  for (int k = 0; k < 1000; ++k) {
+    asks.summary.motions += 100;
+    ends = ends || asks.watch.movesOn(asks.next());
+  }
+  EXPECT_TRUE(ends);
+}
+
 }  // namespace
 }  // namespace proveout::nc

@@ -93,6 +93,12 @@ class CallStack {
     here_.block = number;
   }
   std::size_t lineIndex() const { return line_index_; }
+  /// For the limits of the run; a program must be open. A text without lines stands on that of its call.
+  FlowPlace place() const {
+    FlowPlace at = flowPlace(frames_);
+    at.line = line_index_;
+    return at;
+  }
   /// Where the block in hand stands, without the words in force; line 0 without an open program.
   const SourceRef& here() const { return here_; }
 

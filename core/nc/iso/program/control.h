@@ -21,8 +21,6 @@
 #include "core/nc/iso/macro/subprogram_words.h"
 #include "core/nc/iso/model/system_calls.h"
 #include "core/nc/iso/program/tape.h"
-#include "core/nc/limits/loop_budget.h"
-#include "core/nc/limits/loop_watch.h"
 #include "core/nc/text/lexer.h"
 #include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
@@ -69,8 +67,6 @@ class IsoControl final : private FlowControl {
   std::size_t line() const override { return context_.calls.lineIndex(); }
 
   bool loadMain();
-  bool goesRound(const CallFrame& frame, std::size_t line);
-  bool goesOn(const CallFrame& frame, std::size_t line);
   Go commentLeftOpen(const std::optional<OpenComment>& open);
   Go execute();
 
@@ -126,8 +122,6 @@ class IsoControl final : private FlowControl {
   IsoContext context_;
   std::unique_ptr<SystemVariables> system_variables_;
   RunLoop<CallFrame> run_;
-  LoopWatch loop_;
-  LoopBudget loop_budget_;
   Lexer lexer_;
   TapeFrames tape_;
   SubprogramWords subprograms_;                                     ///< of the block in hand
