@@ -16,7 +16,7 @@ namespace {
 /// "call A B T" runs the blocks A to B - 1 T times, and says "behind" when they have returned; "back"
 /// returns; "goto A", "wait", "end"; "bad" cannot be read, "fail" not be carried out; "/" is skipped, "" is
 /// empty. Every other block is noted with its depth and repetition.
-class TestControl : private FlowControl {
+class TestControl : private FlowControl<FlowFrame> {
  public:
   explicit TestControl(std::vector<std::string> blocks, const ControlSettings& settings = {})
       : blocks_(std::move(blocks)),
@@ -100,7 +100,7 @@ class TestControl : private FlowControl {
     note("<");
     return true;
   }
-  void closed() override { note(">"); }
+  void closed(const FlowFrame& left) override { note(left.call.again() ? ">>" : ">"); }
   void recover() override { note("recovered"); }
   void giveUp() override { note("gave up"); }
   bool flush(ProgramEnd /*end*/) override { return true; }
@@ -130,11 +130,11 @@ TEST(RunLoop, BlocksGoInTheirOrder) {
 
 TEST(RunLoop, CallsAreRepeatedAndTheBlockGoesOnBehindThem) {
   EXPECT_EQ(TestControl({"call 3 5 2", "a", "end", "b", "back", "c"}).run(),
-            "< b20 > < b21 > behind a10 end");
+            "< b20 >> < b21 > behind a10 end");
   EXPECT_EQ(TestControl({"call 2 3 0", "end", "b"}).run(), "never end");
   // One inside the other, the inner one at the end of its text.
   EXPECT_EQ(TestControl({"call 2 4 2", "end", "call 4 5 1", "a", "b"}).run(),
-            "< < b30 > behind a20 > < < b30 > behind a21 > behind end");
+            "< < b30 > behind a20 >> < < b30 > behind a21 > behind end");
 }
 
 TEST(RunLoop, WaitsAndGoesOn) {

@@ -51,6 +51,14 @@ struct CallFrame : FlowFrame {
   bool interrupt = false;  ///< opened by the interrupt signal
   FlowRequest waiting;     ///< to be done when the calls that the block put off are done
   Arguments args;
+
+  /// The program is all of that text, which must outlive the frame; `its_file`: file index of the path.
+  void setProgram(SourceText& its_text, std::uint32_t its_file) {
+    text = &its_text;
+    file = its_file;
+    first = 0;
+    end = its_text.lines().size();
+  }
 };
 
 /// Nesting of subprogram calls (manual 14.4.2): so many calls may be open below the main program.

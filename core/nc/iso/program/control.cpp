@@ -99,9 +99,7 @@ bool IsoControl::loadMain() {
     return c.fail(missing ? DiagnosticName(SharedAlarm::kFileNotFound) : "encoding", main.message);
   }
   CallFrame frame;
-  frame.text = main.text;
-  frame.file = main.file;
-  frame.end = main.text->lines().size();
+  frame.setProgram(*main.text, main.file);
   run_.openMain(frame);
   bool any = false;
   for (const auto line : main.text->lines())
@@ -116,21 +114,20 @@ bool IsoControl::opened() {
   c.calls.entered();
   if (c.calls.depth() == 1) {
     c.enterProgram();
-  } else if (!repeats_) {
+  } else if (frame.call.repetition == 0) {
     c.enteredCall();
   } else if (opensLocals(frame.kind)) {  // a macro with its arguments anew
     c.variables.enter(frame.args);
   }
-  repeats_ = false;
   tape_.skipLeader(c, frame);
   return true;
 }
 
-void IsoControl::closed() {
+void IsoControl::closed(const CallFrame& left) {
   IsoContext& c = context_;
   c.calls.left();
-  if (!repeats_) return c.leftCall(leaves_);
-  if (opensLocals(leaves_)) c.variables.leave();
+  if (!left.call.again()) return c.leftCall(left.kind);
+  if (opensLocals(left.kind)) c.variables.leave();
 }
 
 /// Opens a call that was put off, or goes on with the flow of a block that waited for such calls.
