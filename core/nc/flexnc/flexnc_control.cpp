@@ -149,7 +149,7 @@ bool FlexControl::opens() {
   return true;
 }
 
-void FlexControl::closed() { c_.recorder.closeCall(); }
+void FlexControl::closed(const FlowFrame& /*left*/) { c_.recorder.closeCall(); }
 
 /// What is still to be repeated; the statement's first arrival arms it.
 double FlexControl::repeatsLeft(const FlexJump& jump, Repeat& repeat, bool first) {

@@ -13,7 +13,7 @@
 namespace proveout::nc {
 
 /// Blocks, calls, repeats and ends; RunLoop leads through the lines.
-class FlexControl : private FlowControl {
+class FlexControl : private FlowControl<FlowFrame> {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   FlexControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -35,7 +35,7 @@ class FlexControl : private FlowControl {
   Go carryOut() override;
   Go endOfText() override;
   bool opens() override;
-  void closed() override;
+  void closed(const FlowFrame& left) override;
   void recover() override;
   bool flush(ProgramEnd end) override;
   void sendEnd(const std::string& code) override;

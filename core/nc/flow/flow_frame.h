@@ -13,6 +13,8 @@ struct FlowFrame {
   struct Call {
     std::uint64_t number = 0;
     int repetition = 0, repetitions = 1;
+    /// The program is to be run once more when it has returned.
+    bool again() const { return repetition + 1 < repetitions; }
   };
 
   std::size_t first = 0, end = 0;  ///< the blocks of the program in its text, from and behind; indices

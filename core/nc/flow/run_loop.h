@@ -34,7 +34,8 @@ enum class Reading : std::uint8_t {
   kBad       ///< the error is still to be reported
 };
 
-/// What the loop asks of a control.
+/// What the loop asks of a control whose open programs are such frames.
+template <class Frame>
 class FlowControl {
  public:
   virtual ~FlowControl() = default;
@@ -58,10 +59,12 @@ class FlowControl {
 
   /// Before a called program is opened, for each repetition. False: the run is over.
   virtual bool opens() = 0;
-  /// A program is open, the main one too. False: the run is over, reported.
+  /// A program is open, the main one too; once more if `call.repetition` of its frame is above 0. False: the
+  /// run is over, reported.
   virtual bool opened() { return true; }
-  /// A program was left: its caller is the innermost one again.
-  virtual void closed() = 0;
+  /// A program was left, `left` was its frame: its caller is the innermost one again. With
+  /// `left.call.again()` the program opens once more at once.
+  virtual void closed(const Frame& left) = 0;
 
   /// Takes back what a bad block has left behind.
   virtual void recover() {}
@@ -86,7 +89,7 @@ template <class Frame>
 class RunLoop {
  public:
   /// All must outlive the loop.
-  RunLoop(FlowControl& control, std::vector<Frame>& frames, InterpretSummary& summary,
+  RunLoop(FlowControl<Frame>& control, std::vector<Frame>& frames, InterpretSummary& summary,
           const ControlSettings& settings)
       : control_(control), frames_(frames), summary_(summary), settings_(settings) {}
   RunLoop(const RunLoop&) = delete;
@@ -133,7 +136,7 @@ class RunLoop {
     return until && frames_.size() == 1 && until->reachedBy(frames_.back().number, control_.line());
   }
 
-  FlowControl& control_;
+  FlowControl<Frame>& control_;
   std::vector<Frame>& frames_;
   InterpretSummary& summary_;
   const ControlSettings& settings_;
@@ -163,8 +166,9 @@ Go RunLoop<Frame>::returned() {
   PROVEOUT_ASSERT(frames_.size() > 1);  // the main program ends, it does not return
   Frame frame = std::move(frames_.back());
   frames_.pop_back();
-  control_.closed();
-  if (++frame.call.repetition >= frame.call.repetitions) return control_.resume();
+  control_.closed(frame);
+  if (!frame.call.again()) return control_.resume();
+  ++frame.call.repetition;
   return control_.opens() ? push(std::move(frame)) : Go::kStop;
 }
 

@@ -5,10 +5,10 @@
 namespace proveout::nc {
 
 RunWatch::RunWatch(InterpretSummary& summary, Progress* progress, std::uint64_t block_limit,
-                   LoopBudget::State state, Fail fail)
+                   LoopBudget::State state, Fail fail, std::uint64_t free_motions)
     : summary_(summary),
       fail_(std::move(fail)),
-      blocks_(summary, progress, block_limit),
+      blocks_(summary, progress, block_limit, free_motions),
       budget_(block_limit, std::move(state)) {}
 
 bool RunWatch::workOver(const FlowPlace& at) {
@@ -25,12 +25,17 @@ bool RunWatch::goesRound(const FlowPlace& at, std::uint64_t variables,
 }
 
 bool RunWatch::goesOn(const FlowPlace& at, std::size_t kept_back) {
+  return comesNoNearer(at,
+                       {static_cast<double>(summary_.blocks), motions() + static_cast<double>(kept_back)});
+}
+
+bool RunWatch::movesOn(const FlowPlace& at) { return comesNoNearer(at, {0.0, motions()}); }
+
+bool RunWatch::comesNoNearer(const FlowPlace& at, const LoopBudget::Work& done) {
   const FlowFrame::Call& call = at.top.call;
-  const double motions = static_cast<double>(summary_.motions) + static_cast<double>(kept_back);
-  const bool over =
-      budget_.arrives({at.depth, at.top.block, at.line, call.number, call.repetition, call.repetitions},
-                      {static_cast<double>(summary_.blocks), motions});
-  return over && endless(budget_.message());
+  const LoopBudget::Place place = {at.depth,    at.top.block,    at.line,
+                                   call.number, call.repetition, call.repetitions};
+  return budget_.arrives(place, done) && endless(budget_.message());
 }
 
 bool RunWatch::endless(const std::string& message) {

@@ -21,9 +21,10 @@ class RunWatch {
   /// Reports an error of the control: "block-limit" or "endless-loop", and its message.
   using Fail = std::function<void(const char* what, const std::string& message)>;
 
-  /// All must outlive the watch; without `progress` the run cannot be cancelled.
+  /// All must outlive the watch; without `progress` the run cannot be cancelled. `free_motions`: the motions
+  /// of a block that go beyond so many count as blocks do, where a block can make many of them.
   RunWatch(InterpretSummary& summary, Progress* progress, std::uint64_t block_limit, LoopBudget::State state,
-           Fail fail);
+           Fail fail, std::uint64_t free_motions = BlockWatch::kAllFree);
 
   /// Counts a block, or a move of a cycle. True: the run was cancelled, or the limit of blocks, reported.
   bool workOver(const FlowPlace& at);
@@ -33,10 +34,15 @@ class RunWatch {
   /// Whether the program is in a loop that comes no nearer to its end: reported then. `kept_back`: motions
   /// that are still to be sent.
   bool goesOn(const FlowPlace& at, std::size_t kept_back = 0);
+  /// The same of a program that asks for other channels: it goes round until they answer, so that only its
+  /// motions count.
+  bool movesOn(const FlowPlace& at);
   /// The conditions of the program are told to it.
   LoopBudget& budget() { return budget_; }
 
  private:
+  bool comesNoNearer(const FlowPlace& at, const LoopBudget::Work& done);
+  double motions() const { return static_cast<double>(summary_.motions); }
   bool endless(const std::string& message);
 
   InterpretSummary& summary_;

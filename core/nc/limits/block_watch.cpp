@@ -9,9 +9,9 @@ constexpr std::uint64_t kBlocksPerLook = 1024;
 
 }  // namespace
 
-BlockWatch::Over BlockWatch::count(const Place& at, std::uint64_t free_motions) {
+BlockWatch::Over BlockWatch::count(const Place& at) {
   const std::uint64_t made = budget_.newMotions(summary_.motions);
-  budget_.spend(1 + (made > free_motions ? made - free_motions : 0), made > 0);
+  budget_.spend(1 + (made > free_motions_ ? made - free_motions_ : 0), made > 0);
   if (budget_.work() >= next_look_ && progress_ != nullptr) {
     next_look_ = budget_.work() + kBlocksPerLook;
     progress_->report("interpreting", at.done);

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "core/base/progress.h"
 #include "core/nc/control/run_summary.h"
@@ -27,19 +26,26 @@ class BlockWatch {
     std::size_t line = 0;   ///< index, in the innermost of them
   };
 
-  /// Both must outlive the watch; without `progress` the run cannot be cancelled.
-  BlockWatch(InterpretSummary& summary, Progress* progress, std::uint64_t block_limit)
-      : summary_(summary), progress_(progress), budget_(block_limit) {}
+  static constexpr std::uint64_t kAllFree = UINT64_MAX;
 
-  /// Counts a block, and of the motions since the last call those beyond `free_motions`. The end of a run
-  /// that is over goes into the summary.
-  Over count(const Place& at, std::uint64_t free_motions = UINT64_MAX);
-  /// Of the limit. `counted`: what else than blocks counts, ", chords included".
-  std::string message(std::string_view counted = {}) const { return budget_.message(counted); }
+  /// Both must outlive the watch; without `progress` the run cannot be cancelled. `free_motions`: so many of
+  /// a block do not count.
+  BlockWatch(InterpretSummary& summary, Progress* progress, std::uint64_t block_limit,
+             std::uint64_t free_motions)
+      : summary_(summary), progress_(progress), free_motions_(free_motions), budget_(block_limit) {}
+
+  /// Counts a block, and of the motions since the last call those that are not free. The end of a run that is
+  /// over goes into the summary.
+  Over count(const Place& at);
+  /// Of the limit.
+  std::string message() const {
+    return budget_.message(free_motions_ == kAllFree ? "" : ", chords of curves included");
+  }
 
  private:
   InterpretSummary& summary_;
   Progress* progress_;
+  std::uint64_t free_motions_;
   std::uint64_t next_look_ = 0;  ///< work spent by then
   BlockBudget budget_;
 };

@@ -51,7 +51,7 @@ bool WedmControl::opened() {
   return true;
 }
 
-void WedmControl::closed() {
+void WedmControl::closed(const FlowFrame& /*left*/) {
   c_.recorder.enter(0, static_cast<std::uint16_t>(c_.levels.size() - 1), true);
   c_.recorder.closeCall();
 }

@@ -12,7 +12,7 @@
 namespace proveout::nc {
 
 /// Blocks, calls and ends; RunLoop leads through the programs.
-class WedmControl : private FlowControl {
+class WedmControl : private FlowControl<FlowFrame> {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   WedmControl(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -30,7 +30,7 @@ class WedmControl : private FlowControl {
   Go endOfText() override;
   bool opens() override;
   bool opened() override;
-  void closed() override;
+  void closed(const FlowFrame& left) override;
   void giveUp() override;
   bool flush(ProgramEnd end) override;
   void sendEnd(const std::string& code) override;

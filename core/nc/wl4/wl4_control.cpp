@@ -73,7 +73,7 @@ bool Wl4Control::opened() {
                                                   program.label_count, Wl4Programs::kMostLabels));
 }
 
-void Wl4Control::closed() {
+void Wl4Control::closed(const Wl4Level& /*left*/) {
   c_.recorder.closeCall();
   c_.variables.close();
   c_.block = interrupted_.back().block;

@@ -16,7 +16,7 @@
 namespace proveout::nc {
 
 /// Blocks, cycles, calls and jumps; RunLoop leads through the programs.
-class Wl4Control : private FlowControl {
+class Wl4Control : private FlowControl<Wl4Level> {
  public:
   /// What is referred to must outlive the control; `progress` may be null.
   Wl4Control(bool lathe, const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
@@ -43,7 +43,7 @@ class Wl4Control : private FlowControl {
   Go endOfText() override;
   bool opens() override;
   bool opened() override;
-  void closed() override;
+  void closed(const Wl4Level& left) override;
   void recover() override;
   bool flush(ProgramEnd end) override;
   void sendEnd(const std::string& code) override;

@@ -119,18 +119,13 @@ TEST(CallStack, CallsPutOffRunInOrderAtTheirOwnLevel) {
 }
 
 TEST(Alarms, TextsTakeTheirSubject) {
-  EXPECT_EQ(alarmText(2017, "Q"), "illegal address Q");
-  EXPECT_EQ(alarmText(2004, ""), "missing data");
-  EXPECT_EQ(alarmText(2147, ""), "file not found");
-  EXPECT_EQ(alarmText(2002, "L"), "L data out of range");
-  EXPECT_EQ(alarmText(2002, ""), "data out of range");
-  EXPECT_EQ(alarmText(2123, "G777"), "function not implemented: G777");
-  EXPECT_EQ(alarmText(4711, "x"), "alarm of the program x");
-  int last = 0;
-  for (const Alarm& alarm : nctAlarmTexts()) {
-    EXPECT_GE(alarm.number, last);
-    last = alarm.number;
-  }
+  const AlarmTable& alarms = nctAlarms();
+  EXPECT_EQ(alarms.message(SharedAlarm::kIllegalAddress, "Q"), "illegal address Q");
+  EXPECT_EQ(alarms.message(SharedAlarm::kMissingData, ""), "missing data");
+  EXPECT_EQ(alarms.message(SharedAlarm::kProgramNotFound, ""), "file not found");
+  EXPECT_EQ(alarms.message(SharedAlarm::kOutOfRange, "L"), "L data out of range");
+  EXPECT_EQ(alarms.message(SharedAlarm::kOutOfRange, ""), "data out of range");
+  EXPECT_EQ(alarms.message(SharedAlarm::kNotImplemented, "G777"), "function not implemented: G777");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 /// "call A B T" runs the blocks A to B - 1 T times, and says "behind" when they have returned; "back"
 /// returns; "goto A", "wait", "end"; "bad" cannot be read, "fail" not be carried out; "/" is skipped, "" is
 /// empty. Every other block is noted with its depth and repetition.
-class TestControl : private FlowControl {
+class TestControl : private FlowControl<FlowFrame> {
  public:
   explicit TestControl(std::vector<std::string> blocks, const ControlSettings& settings = {})
       : blocks_(std::move(blocks)),
@@ -100,7 +100,7 @@ class TestControl : private FlowControl {
     note("<");
     return true;
   }
-  void closed() override { note(">"); }
+  void closed(const FlowFrame& left) override { note(left.call.again() ? ">>" : ">"); }
   void recover() override { note("recovered"); }
   void giveUp() override { note("gave up"); }
   bool flush(ProgramEnd /*end*/) override { return true; }
@@ -130,11 +130,11 @@ TEST(RunLoop, BlocksGoInTheirOrder) {
 
 TEST(RunLoop, CallsAreRepeatedAndTheBlockGoesOnBehindThem) {
   EXPECT_EQ(TestControl({"call 3 5 2", "a", "end", "b", "back", "c"}).run(),
-            "< b20 > < b21 > behind a10 end");
+            "< b20 >> < b21 > behind a10 end");
   EXPECT_EQ(TestControl({"call 2 3 0", "end", "b"}).run(), "never end");
   // One inside the other, the inner one at the end of its text.
   EXPECT_EQ(TestControl({"call 2 4 2", "end", "call 4 5 1", "a", "b"}).run(),
-            "< < b30 > behind a20 > < < b30 > behind a21 > behind end");
+            "< < b30 > behind a20 >> < < b30 > behind a21 > behind end");
 }
 
 TEST(RunLoop, WaitsAndGoesOn) {
@@ -189,6 +189,53 @@ TEST(RunLoop, EndlessLoopsAreTold) {
   TestControl calls({"call 1 2 1000", "a"}, settings);
   EXPECT_TRUE(calls.run().ends_with("block-limit"));
   EXPECT_LE(calls.summary().blocks, 101u);
+}
+
+/// A watch of a program of ten blocks that goes round its first two.
+struct Watched {
+  InterpretSummary summary;
+  FlowFrame main;
+  std::string told;
+  RunWatch watch{summary,
+                 nullptr,
+                 1000,
+                 [] { return std::vector<LoopBudget::Named>{}; },
+                 [this](const char* /*what*/, const std::string& message) { told = message; },
+                 100};
+  Watched() { main.end = 10; }
+  FlowPlace next() {
+    summary.blocks += 100;
+    main.block = 1 - main.block;
+    return {main, main, 1, main.block};
+  }
+};
+
+TEST(RunWatch, MotionsOfABlockBeyondTheFreeOnesCount) {
+  Watched run;
+  run.summary.motions = 100;
+  EXPECT_FALSE(run.watch.workOver(run.next()));
+  run.summary.motions += 100 + 998;
+  EXPECT_FALSE(run.watch.workOver(run.next()));
+  EXPECT_TRUE(run.watch.workOver(run.next()));
+  EXPECT_TRUE(run.told.starts_with("1000 blocks executed without an end, chords of curves included"));
+  EXPECT_EQ(run.summary.end, ProgramEnd::kBlockLimit);
+}
+
+TEST(RunWatch, BlocksThatAskForOtherChannelsAreNoLoop) {
+  Watched alone, asks;
+  bool ends = false;
+  for (int k = 0; k < 1000; ++k) {
+    ends = ends || alone.watch.goesOn(alone.next());
+    EXPECT_FALSE(asks.watch.movesOn(asks.next()));
+  }
+  EXPECT_TRUE(ends);
+  EXPECT_TRUE(alone.told.starts_with("an endless loop"));
+  ends = false;
+  for (int k = 0; k < 1000; ++k) {
+    asks.summary.motions += 100;
+    ends = ends || asks.watch.movesOn(asks.next());
+  }
+  EXPECT_TRUE(ends);
 }
 
 }  // namespace

@@ -29,8 +29,7 @@ class SystemVariablesTest : public testing::Test {
     variables_ = nctDialect().system_variables(*context_);
     CallFrame frame;
     const ProgramStore::Loaded main = context_->programs.main();
-    frame.text = main.text;
-    frame.file = main.file;
+    frame.setProgram(*main.text, main.file);
     context_->calls.push(frame);
     powerOn(*context_);
   }

@@ -6,6 +6,26 @@
 
 namespace proveout::nc {
 
+namespace {
+
+constexpr std::uint64_t kFreeMotions = 100;  ///< of a block; curves in chords and cycles make more
+
+/// What a loop may change: axes and variables.
+std::vector<LoopBudget::Named> loopState(const IsoContext& c) {
+  std::vector<LoopBudget::Named> state;
+  const auto add = [&](int number) {
+    Value value;
+    if (c.variables.peek(number, value) && !value.vacant)
+      state.push_back({fmt::format("#{}", number), value.number});
+  };
+  for (int k = 1; k <= kLocalCount; ++k) add(k);
+  for (int k = VariableStore::kFirstGlobal; k <= VariableStore::kLastGlobal; ++k) add(k);
+  for (int k = 0; k < c.axes.count(); ++k) state.push_back({c.axes.at(k).name, c.position[k]});
+  return state;
+}
+
+}  // namespace
+
 IsoStages::IsoStages(IsoContext& c)
     : contour_alarms(c.alarms, c),
       crossing(c.pipe, contour_alarms),
@@ -35,7 +55,9 @@ IsoContext::IsoContext(const IsoDialect& control, const ProgramSource& source,
       origins(sink),
       m_index(codes, control_settings),
       alarms(control.alarms, calls, programs, block, variables, emitter),
-      work(control_settings, progress, calls, alarms, run_summary),
+      watch(
+          run_summary, progress, control_settings.block_limit, [this] { return loopState(*this); },
+          [this](const char* what, const std::string& message) { alarms.fail(what, message); }, kFreeMotions),
       host(control_host),
       clock(emitter.time(), stages.rapid),
       stages(*this) {
@@ -104,22 +126,6 @@ void IsoContext::leftCall(CallKind kind) {
   if (opensLocals(kind)) variables.leave();
   origins.closeCall();
   enterProgram();
-}
-
-bool WorkGuard::over() {
-  constexpr std::uint64_t kFreeMotions = 100;
-  const CallFrame& main = calls_.main();
-  const double done = static_cast<double>(main.next) / static_cast<double>(main.text->lines().size());
-  const BlockWatch::Over over = blocks_.count({done, calls_.depth(), calls_.lineIndex()}, kFreeMotions);
-  if (over == BlockWatch::Over::kLimit)
-    alarms_.fail("block-limit", blocks_.message(", chords of curves included"));
-  return over != BlockWatch::Over::kNo;
-}
-
-bool WorkGuard::endless(const std::string& message) {
-  alarms_.fail("endless-loop", message);
-  summary_.end = ProgramEnd::kBlockLimit;
-  return true;
 }
 
 }  // namespace proveout::nc

@@ -16,6 +16,7 @@
 #include "core/nc/control/control_settings.h"
 #include "core/nc/control/program_source.h"
 #include "core/nc/control/run_summary.h"
+#include "core/nc/flow/run_watch.h"
 #include "core/nc/iso/model/alarm_reporter.h"
 #include "core/nc/iso/model/call_stack.h"
 #include "core/nc/iso/model/codes.h"
@@ -41,7 +42,6 @@
 #include "core/nc/iso/stages/virtual_stage.h"
 #include "core/nc/iso/stages/zone_stage.h"
 #include "core/nc/kinematics/frames.h"
-#include "core/nc/limits/block_watch.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/services/drilling.h"
@@ -92,25 +92,6 @@ struct IsoContext;
 /// What becomes of a block between G10 L... and G11; the words are those of data blocks, N among them. False:
 /// an error was reported.
 using DataInput = bool (*)(IsoContext&);
-
-/// Counts blocks and whatever else a program can make many of, against the block limit; of the motions of a
-/// block those that go beyond 100.
-class WorkGuard {
- public:
-  WorkGuard(const ControlSettings& settings, Progress* progress, const CallStack& calls,
-            AlarmReporter& alarms, InterpretSummary& summary)
-      : calls_(calls), alarms_(alarms), summary_(summary), blocks_(summary, progress, settings.block_limit) {}
-  /// One more piece of work. True: stop; summary.end says why.
-  bool over();
-  /// The block in hand runs in a loop that can have no end: reported.
-  bool endless(const std::string& message);
-
- private:
-  const CallStack& calls_;
-  AlarmReporter& alarms_;
-  InterpretSummary& summary_;
-  BlockWatch blocks_;
-};
 
 /// The reports of a context by their short names; see AlarmReporter. `Context` has it as `alarms`.
 template <class Context>
@@ -187,7 +168,7 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   InterruptMacro interrupt;
   Block block;
   AlarmReporter alarms;
-  WorkGuard work;
+  RunWatch watch;
   const ControlHost host;
   const RunClock clock;
 

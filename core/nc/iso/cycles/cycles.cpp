@@ -366,7 +366,7 @@ bool performCycle(IsoContext& c, BlockPlan& plan) {
       hole[axis] = step ? hole[axis] + holes.step[axis] : holes.step[axis];
     }
     if (holes.polar) polarHole(plan, last, k == 0, hole);
-    if (k > 0 && c.work.over()) return false;
+    if (k > 0 && c.watch.workOver(c.calls.place())) return false;
     if (!cycleHole(c, plan, hole, k == 0)) return false;
   }
   return true;

@@ -162,8 +162,7 @@ bool pocketFrame(IsoContext& c, CallFrame& frame) {
   for (const std::size_t function : {kM, kS, kT}) out.v[function] = in.v[function];
   frame.args = out;
   const ProgramStore::Loaded loaded = c.programs.builtIn("O9999 (built in)", kPocketText);
-  frame.text = loaded.text;
-  frame.file = loaded.file;
+  frame.setProgram(*loaded.text, loaded.file);
   return true;
 }
 

@@ -96,9 +96,7 @@ Go IsoControl::open(const CallFrame& frame) {
     c.fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
     return alarm();
   }
-  CallFrame opened = frame;
-  opened.end = frame.text->lines().size();
-  return run_.call(opened, static_cast<int>(frame.total));
+  return run_.call(frame, static_cast<int>(frame.total));
 }
 
 /// The frame of G65, G66 and G66.1.

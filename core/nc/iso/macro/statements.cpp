@@ -94,7 +94,7 @@ bool IsoControl::condition(std::size_t& pos, bool& holds) {
   LexError error;
   const std::uint64_t place = conditionAt(c.block.text.data() + pos);
   if (!c.macro.condition(c.block.text, pos, holds, error)) return failStatement(c, error);
-  loop_budget_.asked(place, c.macro.distance(), holds);
+  c.watch.budget().asked(place, c.macro.distance(), holds);
   return true;
 }
 

@@ -31,8 +31,7 @@ bool mayCall(const IsoContext& c, std::int32_t code) {
 bool takeProgram(IsoContext& c, const ProgramStore::Loaded& loaded, CallFrame& frame) {
   if (loaded.failure == ProgramStore::Failure::kEncoding) return c.fail("encoding", loaded.message);
   if (loaded.text == nullptr) return c.alarm(SharedAlarm::kProgramNotFound, "", loaded.message);
-  frame.text = loaded.text;
-  frame.file = loaded.file;
+  frame.setProgram(*loaded.text, loaded.file);
   return true;
 }
 

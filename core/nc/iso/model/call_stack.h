@@ -51,6 +51,14 @@ struct CallFrame : FlowFrame {
   bool interrupt = false;  ///< opened by the interrupt signal
   FlowRequest waiting;     ///< to be done when the calls that the block put off are done
   Arguments args;
+
+  /// The program is all of that text, which must outlive the frame; `its_file`: file index of the path.
+  void setProgram(SourceText& its_text, std::uint32_t its_file) {
+    text = &its_text;
+    file = its_file;
+    first = 0;
+    end = its_text.lines().size();
+  }
 };
 
 /// Nesting of subprogram calls (manual 14.4.2): so many calls may be open below the main program.
@@ -93,6 +101,12 @@ class CallStack {
     here_.block = number;
   }
   std::size_t lineIndex() const { return line_index_; }
+  /// For the limits of the run; a program must be open. A text without lines stands on that of its call.
+  FlowPlace place() const {
+    FlowPlace at = flowPlace(frames_);
+    at.line = line_index_;
+    return at;
+  }
   /// Where the block in hand stands, without the words in force; line 0 without an open program.
   const SourceRef& here() const { return here_; }
 

@@ -27,20 +27,6 @@ LexRules lexRules(IsoContext& c) {
   return rules;
 }
 
-/// What a loop may change: axes and variables.
-std::vector<LoopBudget::Named> loopState(const IsoContext& c) {
-  std::vector<LoopBudget::Named> state;
-  const auto add = [&](int number) {
-    Value value;
-    if (c.variables.peek(number, value) && !value.vacant)
-      state.push_back({fmt::format("#{}", number), value.number});
-  };
-  for (int k = 1; k <= kLocalCount; ++k) add(k);
-  for (int k = VariableStore::kFirstGlobal; k <= VariableStore::kLastGlobal; ++k) add(k);
-  for (int k = 0; k < c.axes.count(); ++k) state.push_back({c.axes.at(k).name, c.position[k]});
-  return state;
-}
-
 }  // namespace
 
 IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
@@ -49,7 +35,6 @@ IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
     : settings_(withAxisParameters(dialect.parameters, settings)),
       context_(dialect, source, settings_, sink, progress, host, summary_),
       run_(*this, context_.calls.frames(), summary_, settings_),
-      loop_budget_(settings.block_limit, [this] { return loopState(context_); }),
       lexer_(lexRules(context_), dialect.alarms) {
   if (dialect.system_variables != nullptr) system_variables_ = dialect.system_variables(context_);
 }
@@ -114,9 +99,7 @@ bool IsoControl::loadMain() {
     return c.fail(missing ? DiagnosticName(SharedAlarm::kFileNotFound) : "encoding", main.message);
   }
   CallFrame frame;
-  frame.text = main.text;
-  frame.file = main.file;
-  frame.end = main.text->lines().size();
+  frame.setProgram(*main.text, main.file);
   run_.openMain(frame);
   bool any = false;
   for (const auto line : main.text->lines())
@@ -131,47 +114,20 @@ bool IsoControl::opened() {
   c.calls.entered();
   if (c.calls.depth() == 1) {
     c.enterProgram();
-  } else if (!repeats_) {
+  } else if (frame.call.repetition == 0) {
     c.enteredCall();
   } else if (opensLocals(frame.kind)) {  // a macro with its arguments anew
     c.variables.enter(frame.args);
   }
-  repeats_ = false;
   tape_.skipLeader(c, frame);
   return true;
 }
 
-void IsoControl::closed() {
+void IsoControl::closed(const CallFrame& left) {
   IsoContext& c = context_;
   c.calls.left();
-  if (!repeats_) return c.leftCall(leaves_);
-  if (opensLocals(leaves_)) c.variables.leave();
-}
-
-/// Whether the program is in a loop without an end: reported then. Other channels and a tool whose life
-/// runs out may end a loop that changes nothing itself.
-bool IsoControl::goesRound(const CallFrame& frame, std::size_t line) {
-  IsoContext& c = context_;
-  ChannelSet alone;
-  alone.add(c.channel());
-  const bool others = !c.channels.empty() && !(c.channels == alone);
-  if (others || c.state.tool_row > 0) return false;
-  const bool endless = loop_.comesBack(
-      frame.run, c.calls.depth(), line, c.variables.fingerprint(),
-      {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position), LoopWatch::bytesOf(c.machine)});
-  return endless && c.work.endless(loop_.message());
-}
-
-/// Whether the program is in a loop that comes no nearer to its end: reported then. What asks for other
-/// channels goes round until they answer, so that only its motions count.
-bool IsoControl::goesOn(const CallFrame& frame, std::size_t line) {
-  IsoContext& c = context_;
-  const double blocks = c.channels.empty() ? static_cast<double>(summary_.blocks) : 0.0;
-  const FlowFrame::Call& call = frame.call;
-  const bool endless =
-      loop_budget_.arrives({c.calls.depth(), line, line, call.number, call.repetition, call.repetitions},
-                           {blocks, static_cast<double>(summary_.motions)});
-  return endless && c.work.endless(loop_budget_.message());
+  if (!left.call.again()) return c.leftCall(left.kind);
+  if (opensLocals(left.kind)) c.variables.leave();
 }
 
 /// Opens a call that was put off, or goes on with the flow of a block that waited for such calls.
@@ -216,9 +172,16 @@ Reading IsoControl::read() {
   return good ? Reading::kBlock : Reading::kBad;
 }
 
+/// Other channels, and a tool whose life runs out, may end a loop that changes nothing itself.
 bool IsoControl::workOver() {
-  const CallFrame& frame = run_.top();
-  return context_.work.over() || goesRound(frame, frame.block) || goesOn(frame, frame.block);
+  IsoContext& c = context_;
+  const FlowPlace at = c.calls.place();
+  if (c.watch.workOver(at)) return true;
+  if (!c.channels.empty()) return c.watch.movesOn(at);
+  const auto state = {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position),
+                      LoopWatch::bytesOf(c.machine)};
+  const bool endless = c.state.tool_row == 0 && c.watch.goesRound(at, c.variables.fingerprint(), state);
+  return endless || c.watch.goesOn(at);
 }
 
 Go IsoControl::carryOut() {
@@ -241,7 +204,7 @@ Go IsoControl::endOfText() {
     c.warn("no-end", "the program ends without M2 or M30: is the file cut short?");
     return run_.finish("end of text", ProgramEnd::kEndOfProgram);
   }
-  if (c.work.over()) return Go::kStop;  // an empty text may be repeated without end
+  if (c.watch.workOver(c.calls.place())) return Go::kStop;  // an empty text may be repeated without end
   if (no_return_told_.insert(c.calls.top().file).second)
     c.warn("no-m99", "the subprogram ends without M99: taken as M99");
   c.block.clear();

@@ -21,8 +21,6 @@
 #include "core/nc/iso/macro/subprogram_words.h"
 #include "core/nc/iso/model/system_calls.h"
 #include "core/nc/iso/program/tape.h"
-#include "core/nc/limits/loop_budget.h"
-#include "core/nc/limits/loop_watch.h"
 #include "core/nc/text/lexer.h"
 #include "core/nc/text/source_text.h"
 #include "core/path/toolpath.h"
@@ -30,7 +28,7 @@
 namespace proveout::nc {
 
 /// The run loop of one channel: lines, header, program flow. What codes do is in the chapters' files.
-class IsoControl final : private FlowControl {
+class IsoControl final : private FlowControl<CallFrame> {
  public:
   /// What is handed in must outlive the control.
   IsoControl(const IsoDialect& dialect, const ProgramSource& source, const ControlSettings& settings,
@@ -61,7 +59,7 @@ class IsoControl final : private FlowControl {
   Go endOfText() override;
   bool opens() override { return true; }
   bool opened() override;
-  void closed() override;
+  void closed(const CallFrame& left) override;
   bool flush(ProgramEnd end) override;
   void sendEnd(const std::string& code) override;
   void tell(const char* what, const std::string& message) override { context_.fail(what, message); }
@@ -69,8 +67,6 @@ class IsoControl final : private FlowControl {
   std::size_t line() const override { return context_.calls.lineIndex(); }
 
   bool loadMain();
-  bool goesRound(const CallFrame& frame, std::size_t line);
-  bool goesOn(const CallFrame& frame, std::size_t line);
   Go commentLeftOpen(const std::optional<OpenComment>& open);
   Go execute();
 
@@ -126,8 +122,6 @@ class IsoControl final : private FlowControl {
   IsoContext context_;
   std::unique_ptr<SystemVariables> system_variables_;
   RunLoop<CallFrame> run_;
-  LoopWatch loop_;
-  LoopBudget loop_budget_;
   Lexer lexer_;
   TapeFrames tape_;
   SubprogramWords subprograms_;                                     ///< of the block in hand
@@ -135,8 +129,6 @@ class IsoControl final : private FlowControl {
   CallFrame interrupt_frame_;                                       ///< with kOn
   MacroCall macro_call_;                                            ///< of the block in hand
   bool calls_macro_ = false;                                        ///< it is one
-  CallKind leaves_ = CallKind::kMain;                               ///< kind of the program that returns
-  bool repeats_ = false;                                            ///< it is run again
   std::set<std::pair<std::uint32_t, std::int64_t>> repeated_told_;  ///< by file and block number
   std::set<std::uint32_t> no_return_told_;                          ///< by file
 };

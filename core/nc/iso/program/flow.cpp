@@ -183,9 +183,7 @@ Go IsoControl::returnFrom(const FlowRequest& request) {
   }
   if (request.count >= 0) frame.call.repetitions = static_cast<int>(request.count) + 1;
   if (request.block >= 0) frame.return_block = request.block;
-  leaves_ = frame.kind;
-  repeats_ = frame.call.repetition + 1 < frame.call.repetitions;
-  if (repeats_) return Go::kReturn;
+  if (frame.call.again()) return Go::kReturn;
   const std::int64_t back = frame.return_block;
   if (frame.interrupt && !endInterrupt(back < 0)) return stopAtAlarm();
   if (back >= 0 && !jump(c.calls.at(c.calls.depth() - 2), back)) return stopAtAlarm();
