@@ -365,7 +365,13 @@ std::optional<CellVertex> placeFromFaces(std::span<const SheetPoint> points, boo
   if (!round && spanSpace(points) && findApex(points, mean, apex) &&
       (refiner == nullptr || refiner->reaches(apex)))
     return apexVertex(points, mean, sum, refiner, apex);
-  if (count == 1 || areAlike(faces, kSmoothCos)) return smoothVertex(points, mean, sum, refiner);
+  if (count == 1) return smoothVertex(points, mean, sum, refiner);
+  if (areAlike(faces, kSmoothCos)) {
+    CellVertex out = smoothVertex(points, mean, sum, refiner);
+    const Vec3 n = sum.normalized();
+    out.lifted = std::abs(n.dot(out.p - mean) + heightAbove(points, mean, n, nullptr));
+    return out;
+  }
   findSurfaces(points, faces);
   Vec3 x = featureNear(faces, mean);
   const bool refine = refiner != nullptr && (refiner->needed(false) || refiner->isBeyondTrim(x));

@@ -12,8 +12,11 @@ namespace proveout {
 struct CellVertex {
   Vec3 p = Vec3::Zero();       ///< on the surface; up to kVertexReach outside the cell
   Vec3 inside = Vec3::Zero();  ///< inside the cell, as near to the surface as can be; p where p is inside
-  bool smooth = false;         ///< one smooth surface runs through the cell
-  bool outside = false;        ///< p is outside the cell
+  /// How far off the crossings' surface p is where several faces seem to be one: the height of a ridge or
+  /// groove between the crossings, of which none is told otherwise.
+  double lifted = 0.0;
+  bool smooth = false;        ///< one smooth surface runs through the cell
+  bool outside = false;       ///< p is outside the cell
   Vec3 along = Vec3::Zero();  ///< direction of the feature edge that p is on, unit, either way; 0 where it is
                               ///< not known
 };

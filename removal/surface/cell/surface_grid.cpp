@@ -161,6 +161,7 @@ class LeafPlacer {
       const int count = gather(cell, at, sheet);
       CellVertex v = placeVertex({points_.data(), static_cast<std::size_t>(count)}, exact_);
       const Vec3 origin(x, y, z), on_feature = v.p;
+      const bool brought = sheets == 1 && !v.smooth && exact_->active() && bringToSurface(v, count);
       if (v.outside && !v.smooth && isCutAway(v.p, count)) {
         v.p = v.inside;
         v.outside = false;
@@ -185,6 +186,7 @@ class LeafPlacer {
       out.p = toFloat(origin + (sheets == 1 ? v.p : thin));
       out.traits = faces | (v.smooth && sheets == 1 ? CellTraits::kSmooth : 0);
       if (sheets > 1) continue;
+      leaf_.hidden += v.lifted;
       if (v.along != Vec3::Zero() && v.p == on_feature)
         leaf_.feature_edges.push_back(
             {static_cast<std::uint16_t>(z << 6 | bit), v.outside, toFloat(v.along)});
@@ -197,9 +199,10 @@ class LeafPlacer {
         out.traits |= CellTraits::kOff;
         noteOff(kNoLimit, count, v.p, bit, z);
       }
+      if (brought) out.traits |= CellTraits::kMisses;
       if (const double missed = v.smooth || !exact_->active() ? 0.0 : missedBy(v.p, count); missed > 0.0) {
         out.traits |= CellTraits::kMisses;
-        noteOff(missed, count, v.p, bit, z);
+        if (!goesOnBeside(v.p, count)) noteOff(missed, count, v.p, bit, z);
       }
       if (v.outside) {
         leaf_.outside.push_back({static_cast<std::uint16_t>(z << 6 | bit), toFloat(origin + v.inside),
@@ -338,6 +341,50 @@ class LeafPlacer {
     for (int i = 0; i < count; ++i) off = std::min(off, (p - points_[i].p).norm());
     if (toFloat(off) > leaf_.farthest.off)
       leaf_.farthest = {toFloat(off), static_cast<std::uint16_t>(z << 6 | bit)};
+  }
+
+  /// Where cones seem to meet beyond the ends of all their bodies, below tips that are smaller than the cell,
+  /// there is no vertex: it is put onto the surface, where the nearest body is as seen from the material. Of
+  /// other faces the place where they seem to meet says more of the volume.
+  bool bringToSurface(CellVertex& v, int count) {
+    constexpr double kBeyond = 0.05;
+    for (int i = 0; i < count; ++i) {
+      const ExactFaces::Source source = exact_->source(points_[i].face);
+      if (!source.cone || exact_->ofBlank() || !exact_->isFarther(source.body, v.p, kBeyond)) return false;
+    }
+    Vec3 mean = Vec3::Zero(), normal = Vec3::Zero();
+    for (int i = 0; i < count; ++i) {
+      mean += points_[i].p / count;
+      normal += points_[i].n;
+    }
+    const Vec3 probe = mean - ExactFaces::kProbeDepth * normal.normalized();
+    double least = kNoLimit;
+    Vec3 nearest = v.inside;
+    for (int i = 0; i < count; ++i) {
+      const std::int64_t body = exact_->source(points_[i].face).body;
+      const Vec3 foot = exact_->foot(body, probe).p;
+      if (const double distance = (foot - probe).squaredNorm(); distance < least) {
+        least = distance;
+        nearest = foot;
+      }
+    }
+    if (outsideBy(nearest) > -kWallGap) return false;
+    v.p = v.inside = nearest;
+    v.outside = false;
+    return true;
+  }
+
+  /// Whether some other body comes to the faces that are trimmed before a vertex, on the way from it to their
+  /// crossings, as the next motion does on one floor.
+  bool goesOnBeside(const Vec3& p, int count) {
+    constexpr double kPart = 0.25;
+    for (int i = 0; i < count; ++i) {
+      const ExactFaces::Source source = exact_->source(points_[i].face);
+      const Vec3 beside = p + kPart * (points_[i].p - p);
+      const bool trimmed = source.ends_at_rims && exact_->isFarther(source.body, beside, kTrimDistance);
+      if (trimmed && !exact_->isReachedByOthers(source.body, beside)) return false;
+    }
+    return true;
   }
 
   /// How far (in cells) before the vertex a face is trimmed that no other continues: there is surface beside

@@ -82,6 +82,7 @@ struct SurfaceLeaf {
   std::vector<OutsideVertex> outside;
   std::vector<StepCell> steps;
   OffVertex farthest;                               ///< of its vertices
+  double hidden = 0.0;                              ///< sum of CellVertex::lifted over its cells
   std::vector<FeatureEdgeDirection> feature_edges;  ///< those that are known, of cells with one sheet
   LeafClusters clusters;
   LevelFace level;

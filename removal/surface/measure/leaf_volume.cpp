@@ -24,6 +24,10 @@ struct LeafVolume {
   }
 };
 
+/// Part of the prisms between a ridge that crossings do not show and their surface by which the volume may be
+/// off.
+constexpr double kOfHidden = 0.2;
+
 /// The same, bit for bit, as the sum over the quads one by one.
 double levelVolume(const Stock::Impl& impl, const SurfaceLeaf& leaf) {
   const int axis = leaf.level.axis;
@@ -46,6 +50,7 @@ class LeafMeter {
       volume.volume = levelVolume(grid_.impl(), leaf);
       if (planner_ == nullptr || planner_->planLevel(leaf, *corners, quads)) return true;
     }
+    volume.error += kOfHidden * leaf.hidden;
     return readQuads(leaf, corners ? nullptr : &volume, quads);
   }
 

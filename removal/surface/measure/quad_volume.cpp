@@ -114,8 +114,8 @@ class BendFit {
   bool whole_;
 };
 
-/// See QuadVolume::off. Where opposite corners are on a feature edge the higher one of the others may be on
-/// the face beyond it: that has crossings of its own.
+/// See QuadVolume::off. Where opposite corners are on a feature edge the higher one of the others, unless it
+/// is on one itself, may be on the face beyond it: that has crossings of its own.
 double offBetween(const Piece& p, unsigned smooth_corners) {
   const unsigned on_feature = ~smooth_corners & 0xF;
   unsigned own = 0xF;
@@ -123,7 +123,8 @@ double offBetween(const Piece& p, unsigned smooth_corners) {
     const int one = i, other = i + 2;
     const unsigned beside = i == 0 ? 0xA : 0x5;
     if ((on_feature & beside) != beside) continue;
-    own &= ~(1u << (std::abs(p.height[one]) > std::abs(p.height[other]) ? one : other));
+    const int higher = std::abs(p.height[one]) > std::abs(p.height[other]) ? one : other;
+    own &= ~(smooth_corners & 1u << higher);
   }
   double low = 0.0, high = 0.0;
   for (int i = 0; i < 4; ++i) {
