@@ -26,6 +26,8 @@ constexpr double kAtWallMm = 1e-9;
 constexpr double kAtEnd = 1e-6;
 /// A search does not come nearer to a place that it knows than this part of what is left.
 constexpr double kMargin = 1e-6;
+/// Sine of the angle below a ball's middle from which on its sphere alone is nearest.
+constexpr double kBelowMiddle = 1e-6;
 /// What Sweep::ballGap says where something else than the sphere is nearest.
 constexpr double kNotBall = std::numeric_limits<double>::infinity();
 /// Rounds after which a search gives its best value; a bracketed search on doubles needs fewer.
@@ -357,9 +359,11 @@ bool Sweep::holds(const Vec3& a, const Vec3& b) const {
 
 SweepSample Sweep::sampleOutside(const Vec3& p, double tolerance, double& start) const {
   if (profile_->ballCenter() > 0.0 && (kind_ == Kind::kLine || kind_ == Kind::kLevelLine)) {
+    // Beside its middle the flank is as near, and may be what the place is named after.
     Vec3 out;
     const double gap = ballGap(p, out), distance = gap + profile_->ballCenter();
-    if (gap < kNotBall && distance > 0.0) return {gap, out / distance, profile_->firstElementId()};
+    if (gap < kNotBall && out.z() < -kBelowMiddle * distance)
+      return {gap, out / distance, profile_->firstElementId()};
   }
   double bound = 0.0;
   const auto [t, at] =

@@ -14,7 +14,12 @@ struct QuadVolume {
   /// highest of corners and crossing over the tangent plane, as a face bends to one side along each way from
   /// the crossing.
   double off = 0.0;
+  double bent = 0.0;  ///< part of the error that a face which bends evenly does not have
 };
+
+/// The sagitta of a feature edge, from the middle of its chord: that of the cubic with the directions of the
+/// edge (unit, either way) at both ends. 0 where these are not the ends of one edge.
+Vec3 featureEdgeSagitta(const Vec3& chord, const Vec3& from, const Vec3& to);
 
 inline const std::array<Vec3, 4> kNoFeatureEdges = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 
