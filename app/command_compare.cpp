@@ -147,6 +147,7 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
 Status writeResults(const CompareCommandOptions& options, const Pair& pair, const PairResult& result,
                     ImageSize size, const OutputGuard& guard, Report& report, OutputFailures& failures,
                     Progress& progress) {
+  Stopwatch watch;
   PictureRequest request;
   request.size = size;
   request.name = report.name;
@@ -158,6 +159,9 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
     drawn = maker.drawDeviation(mesh, *result.comparison, report.findings, progress);
   if (drawn) drawn = maker.drawFindings(mesh, report.findings, progress);
   if (!drawn) return drawn;
+  report.performance.render_s = watch.lap();
+  report.performance.wall_s += report.performance.render_s;
+  report.performance.peak_memory_mb = peakMemoryMb();
   failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
   Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
@@ -191,12 +195,15 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   if (const Status possible = checkTarget(options, guard); !possible) return possible.error();
   const Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
+  const double read_s = watch.lap();
   const Result<Prediction> prediction = predictPair(options, *pair, *size);
   if (!prediction) return prediction.error();
   const Result<PairResult> result = comparePair(options, *pair, progress);
   if (!result) return result.error();
   Result<Report> report = makeCompareReport(options, *pair, *result);
   if (!report) return report;
+  report->performance.threads = threads.count();
+  report->performance.read_s = read_s;
   report->performance.compare_s = watch.lap();
   report->performance.predicted_memory_mb = prediction->memory_mb;
   report->performance.predicted_s = prediction->time_s;

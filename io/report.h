@@ -48,8 +48,8 @@ struct Cause {
   std::string along;               ///< what is off: "X", "Y", "Z", "radius"; empty: not known
   std::optional<double> off_mm;    ///< by how much, signed: the cut is so far beyond where it should be
   double explains = 0.0;           ///< share of the finding that this would explain, 0..1
-  std::string with;                ///< what was put in its place to see what is left ("G41", "D1 = 5"); empty: nothing
-  std::optional<double> left_mm;   ///< depth of what is left of the finding then; 0: it goes
+  std::string with;  ///< what was put in its place to see what is left ("G41", "D1 = 5"); empty: nothing
+  std::optional<double> left_mm;  ///< depth of what is left of the finding then; 0: it goes
 };
 
 /// `what` of the cause of material that no motion reaches.
@@ -80,7 +80,7 @@ struct Finding {
   std::vector<BlockShare> blocks;  ///< that made the surface, largest share first
   std::vector<Cause> causes;       ///< likeliest first
   bool known = false;              ///< the baseline has it: it does not count for the verdict
-  std::string worse;               ///< by what it is beyond what the baseline has; empty: it is not, or is new
+  std::string worse;  ///< by what it is beyond what the baseline has; empty: it is not, or is new
 };
 
 /// One clamping of a job with setups.
@@ -141,8 +141,8 @@ struct ToolFigures {
   CutFigures figures;
 };
 
-/// Material removal rate along the machining time, in equal steps from 0 to the cycle time, mm3/min; where wires alone
-/// cut, their cutting rate, mm2/min.
+/// Material removal rate along the machining time, in equal steps from 0 to the cycle time, mm3/min; where
+/// wires alone cut, their cutting rate, mm2/min.
 struct RateSeries {
   double step_s = 0.0;
   bool by_area = false;           ///< mm2/min
@@ -236,6 +236,7 @@ struct ReportOutputs {
 /// Differs from run to run; everything else in the report depends on the inputs alone.
 struct ReportPerformance {
   double wall_s = 0.0, interpret_s = 0.0, remove_s = 0.0, mesh_s = 0.0, compare_s = 0.0, render_s = 0.0;
+  double read_s = 0.0;  ///< of meshes that are compared without a program: reading and repairing them
   double peak_memory_mb = 0.0;
   double predicted_memory_mb = 0.0, predicted_s = 0.0;  ///< before the run; 0: nothing was predicted
   int threads = 0;

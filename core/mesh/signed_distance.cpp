@@ -19,7 +19,7 @@ constexpr double kSliverHeight = 2e-5;
 /// Cosine between the direction to the nearest point and its normal under which the normal tells nothing.
 constexpr double kTangential = 1e-3;
 /// Faces that turn by more than 154 degrees at an edge are a fold of the mesh, if not a knife's edge.
-constexpr double kFold = -0.9;
+constexpr float kFold = -0.9f;
 /// Nobody asks for the sign of less, mm.
 constexpr double kUntold = 1e-4;
 /// Within rounding.
@@ -37,8 +37,8 @@ SignedDistance::SignedDistance(const SurfaceMesh& mesh, double sure_mm)
 }
 
 void SignedDistance::computeNormals() {
-  face_normal_.assign(mesh_.triangles.size(), Vec3::Zero());
-  vertex_normal_.assign(mesh_.points.size(), Vec3::Zero());
+  face_normal_.assign(mesh_.triangles.size(), Eigen::Vector3f::Zero());
+  vertex_normal_.assign(mesh_.points.size(), Eigen::Vector3f::Zero());
   std::vector<char> doubtful(mesh_.points.size(), 0);
   for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
     const auto& v = mesh_.triangles[t];
@@ -49,14 +49,15 @@ void SignedDistance::computeNormals() {
       for (const auto i : v) doubtful[i] = 1;
       continue;
     }
-    face_normal_[t] = normal.normalized();
+    const Vec3 unit = normal.normalized();
+    face_normal_[t] = toFloat(unit);
     for (int c = 0; c < 3; ++c) {
       const Vec3 e = p[(c + 1) % 3] - p[c], f = p[(c + 2) % 3] - p[c];
-      vertex_normal_[v[c]] += face_normal_[t] * std::atan2(e.cross(f).norm(), e.dot(f));
+      vertex_normal_[v[c]] += toFloat(unit * std::atan2(e.cross(f).norm(), e.dot(f)));
     }
   }
   for (std::size_t i = 0; i < doubtful.size(); ++i) {
-    if (doubtful[i]) vertex_normal_[i] = Vec3::Zero();
+    if (doubtful[i]) vertex_normal_[i].setZero();
   }
 }
 
@@ -68,7 +69,8 @@ void SignedDistance::findNeighbours() {
       neighbour_[first[0].half_edge] = first[1].half_edge / 3;
       neighbour_[first[1].half_edge] = first[0].half_edge / 3;
     } else {
-      vertex_normal_[low] = vertex_normal_[first->other] = Vec3::Zero();
+      vertex_normal_[low].setZero();
+      vertex_normal_[first->other].setZero();
     }
   });
 }
@@ -84,18 +86,19 @@ void SignedDistance::doubtFolds() {
     }
   }
   for (const std::uint32_t t : folded) {
-    face_normal_[t] = Vec3::Zero();
-    for (const auto v : mesh_.triangles[t]) vertex_normal_[v] = Vec3::Zero();
+    face_normal_[t].setZero();
+    for (const auto v : mesh_.triangles[t]) vertex_normal_[v].setZero();
   }
 }
 
 Vec3 SignedDistance::featureNormal(std::uint32_t triangle, int part) const {
-  if (part == kFacePart) return face_normal_[triangle];
-  if (part < 3) return vertex_normal_[mesh_.triangles[triangle][static_cast<std::size_t>(part)]];
+  if (part == kFacePart) return face_normal_[triangle].cast<double>();
+  if (part < 3)
+    return vertex_normal_[mesh_.triangles[triangle][static_cast<std::size_t>(part)]].cast<double>();
   const std::uint32_t other = neighbour(triangle, part - 3);
   if (other == TriangleTree::kNone || face_normal_[triangle].isZero() || face_normal_[other].isZero())
     return Vec3::Zero();
-  return face_normal_[triangle] + face_normal_[other];
+  return (face_normal_[triangle] + face_normal_[other]).cast<double>();
 }
 
 SurfaceDistance SignedDistance::at(const Vec3& point, const Known* known) const {

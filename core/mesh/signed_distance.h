@@ -60,9 +60,10 @@ class SignedDistance {
   const SurfaceMesh& mesh_;
   double sure_mm_;
   TriangleTree tree_;
-  std::vector<Vec3> face_normal_;         ///< unit; zero: not to be trusted
-  std::vector<Vec3> vertex_normal_;       ///< angle-weighted, not unit; zero: not to be trusted
-  std::vector<std::uint32_t> neighbour_;  ///< per half-edge: the triangle beyond
+  // In float: their sides are told to a thousandth, and there is one a triangle.
+  std::vector<Eigen::Vector3f> face_normal_;    ///< unit; zero: not to be trusted
+  std::vector<Eigen::Vector3f> vertex_normal_;  ///< angle-weighted, not unit; zero: not to be trusted
+  std::vector<std::uint32_t> neighbour_;        ///< per half-edge: the triangle beyond
 };
 
 }  // namespace proveout

@@ -87,13 +87,29 @@ TrianglePoint nearestOfTriangle(const Vec3& p, const Vec3& a, const Vec3& b, con
 }
 
 TriangleTree::TriangleTree(const SurfaceMesh& mesh)
-    : boxes_(boxesOf(mesh)), place_of_(mesh.triangles.size()), corners_(mesh.triangles.size()) {
-  parallelFor(std::size_t{0}, corners_.size(), [&](std::size_t i) {
+    : boxes_(boxesOf(mesh)), place_of_(mesh.triangles.size()) {
+  keepCorners(mesh);
+  findDipoles(mesh);
+}
+
+void TriangleTree::keepCorners(const SurfaceMesh& mesh) {
+  const bool are_short =
+      std::ranges::all_of(mesh.points, [](const Vec3& p) { return toFloat(p).cast<double>() == p; });
+  if (are_short) {
+    short_corners_.resize(mesh.triangles.size());
+  } else {
+    corners_.resize(mesh.triangles.size());
+  }
+  parallelFor(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
     const auto& v = mesh.triangles[boxes_.order()[i]];
     place_of_[boxes_.order()[i]] = static_cast<std::uint32_t>(i);
-    corners_[i] = {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+    if (!are_short) {
+      corners_[i] = {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+      return;
+    }
+    for (std::size_t k = 0; k < 9; ++k)
+      short_corners_[i][k] = toFloat(mesh.points[v[k / 3]][static_cast<Eigen::Index>(k % 3)]);
   });
-  findDipoles(mesh);
 }
 
 void TriangleTree::findDipoles(const SurfaceMesh& mesh) {
@@ -136,7 +152,7 @@ void TriangleTree::findDipoles(const SurfaceMesh& mesh) {
 }
 
 void TriangleTree::tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const {
-  const Corners& t = corners_[place];
+  const Corners t = cornersAt(place);
   const TrianglePoint at = nearestOfTriangle(p, t.a, t.b, t.c);
   const double squared = (p - at.point).squaredNorm();
   const std::uint32_t triangle = boxes_.order()[place];
@@ -181,8 +197,10 @@ double TriangleTree::windingNumber(const Vec3& p) const {
   while (size > 0) {
     const std::uint32_t at = stack[--size];
     if (BoxTree::isLeaf(at)) {
-      for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i)
-        sum += solidAngle(corners_[i].a - p, corners_[i].b - p, corners_[i].c - p);
+      for (std::uint32_t i = BoxTree::leafBegin(at); i < BoxTree::leafEnd(at); ++i) {
+        const Corners t = cornersAt(i);
+        sum += solidAngle(t.a - p, t.b - p, t.c - p);
+      }
       continue;
     }
     for (std::uint32_t side = 0; side < 2; ++side) {
@@ -206,7 +224,7 @@ std::optional<int> TriangleTree::crossingsAlong(const Vec3& p, const Vec3& direc
   boxes_.forEachPlaceWhere(
       [&](const BoxTree::Node& node, int side) { return sure && rayMeets(node, side, p, inverse); },
       [&](std::uint32_t place) {
-        const Corners& t = corners_[place];
+        const Corners t = cornersAt(place);
         const std::optional<int> one = crossing(direction, t.a - p, t.b - p, t.c - p);
         sure = sure && one;
         sum += one.value_or(0);

@@ -1,6 +1,7 @@
 // Nearest points and winding numbers of a triangle mesh.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -61,7 +62,7 @@ class TriangleTree {
   template <typename Visit>
   void forEachIn(const Box3& box, const Visit& visit) const {
     boxes_.forEachPlace(box, [&](std::uint32_t place) {
-      const Corners& t = corners_[place];
+      const Corners t = cornersAt(place);
       const Box3 own{t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
       if (own.overlaps(box)) visit(boxes_.order()[place]);
     });
@@ -76,6 +77,12 @@ class TriangleTree {
   struct Corners {
     Vec3 a, b, c;
   };
+  Corners cornersAt(std::uint32_t place) const {
+    if (short_corners_.empty()) return corners_[place];
+    const std::array<float, 9>& s = short_corners_[place];
+    return {Vec3(s[0], s[1], s[2]), Vec3(s[3], s[4], s[5]), Vec3(s[6], s[7], s[8])};
+  }
+  void keepCorners(const SurfaceMesh& mesh);
   void findDipoles(const SurfaceMesh& mesh);
   std::optional<int> crossingsAlong(const Vec3& p, const Vec3& direction) const;
   void tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const;
@@ -83,7 +90,9 @@ class TriangleTree {
   BoxTree boxes_;
   std::vector<Dipole> dipoles_;          ///< two a node
   std::vector<std::uint32_t> place_of_;  ///< of each triangle in the tree's order
-  std::vector<Corners> corners_;         ///< in that order
+  // In that order; in single precision where that holds all points of the mesh, as those of files.
+  std::vector<Corners> corners_;
+  std::vector<std::array<float, 9>> short_corners_;  ///< in place of corners_
 };
 
 }  // namespace proveout

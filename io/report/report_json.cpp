@@ -277,6 +277,7 @@ Json performanceJson(const ReportPerformance& p) {
           {"interpret_s", number(p.interpret_s)},
           {"remove_s", number(p.remove_s)},
           {"mesh_s", number(p.mesh_s)},
+          {"read_s", number(p.read_s)},
           {"compare_s", number(p.compare_s)},
           {"render_s", number(p.render_s)},
           {"peak_memory_mb", number(p.peak_memory_mb)},

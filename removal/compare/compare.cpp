@@ -204,8 +204,8 @@ void sortByDepth(std::vector<DeviationPatch>& patches) {
                    [](const DeviationPatch& a, const DeviationPatch& b) { return a.depth_mm > b.depth_mm; });
 }
 
-/// Samples of a deep deviation are as rough as the mesh: where it is beyond tolerance the figure is that of the
-/// patches, whose deepest points were measured on the part itself.
+/// Samples of a deep deviation are as rough as the mesh: where it is beyond tolerance the figure is that of
+/// the patches, whose deepest points were measured on the part itself.
 void tellLargest(DeviationKind kind, double noise, Comparison& out) {
   const bool gouge = kind == DeviationKind::kGouge;
   double& most = gouge ? out.max_gouge_mm : out.max_excess_mm;
@@ -243,10 +243,11 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
   const std::size_t samples =
       alike(meshBounds(machined), meshBounds(nominal)) ? kMaxSampleTriangles : kMaxOddSampleTriangles;
+  // First what takes most memory while it is made.
+  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
   SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, samples);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, samples);
-  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
   const NominalModel& model = *shared_model;
   BothSides sides = measureSides(part, goal, model, o, progress);
   if (progress.cancelled()) return interrupted;
@@ -267,7 +268,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
-  for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess}) tellLargest(kind, noise, out);
+  for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess})
+    tellLargest(kind, noise, out);
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   out.field = makeDeviationField(shared_model, o);
   tellIgnored(part.surface, o.ignored, out);

@@ -106,6 +106,10 @@ double MeshFacets::widthOf(std::uint32_t facet, double length) const {
 
 std::vector<Link> MeshFacets::links() const {
   std::vector<Link> out;
+  std::size_t borders = 0;
+  forEachPair(
+      [&](std::uint32_t g, std::uint32_t h) { borders += facet_of[g / 3] != facet_of[h / 3] ? 1 : 0; });
+  out.reserve(borders);
   forEachPair([&](std::uint32_t g, std::uint32_t h) {
     const std::uint32_t a = facet_of[g / 3], b = facet_of[h / 3];
     if (a == b) return;

@@ -182,6 +182,8 @@ SampleMesh makeSampleMesh(const TriMesh& mesh, double spacing_mm, std::size_t ma
       std::max(static_cast<double>(max_triangles), 4.0 * static_cast<double>(mesh.triangles.size()));
   while (sample_detail::estimateTriangles(mesh, out.spacing_mm) > limit) out.spacing_mm *= 1.25;
   out.surface.points.reserve(mesh.positions.size());
+  out.surface.triangles.reserve(mesh.triangles.size());
+  out.parent.reserve(mesh.triangles.size());
   for (const auto& p : mesh.positions) out.surface.points.push_back(p.cast<double>());
   sample_detail::Filler filler(out, out.spacing_mm);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) filler.fill(mesh.triangles[t], t);

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "removal/compare/curved_facets.h"
@@ -39,7 +38,7 @@ class ShapeReader {
     for (std::uint32_t t = 0; t < size; ++t) {
       if (!curves_.curved(facets_.facet_of[t])) continue;
       for (std::uint32_t c = 0; c < 3; ++c) {
-        bulge[t][c] = static_cast<float>(fans_[fan_->find(3 * t + c)].height);
+        bulge[t][c] = static_cast<float>(fans_[fanOf(3 * t + c)].height);
         bulge[t][3 + c] = static_cast<float>(edgeBulge(t, c));
       }
     }
@@ -54,7 +53,7 @@ class ShapeReader {
   }
 
   void gatherNormals() {
-    fan_ = std::make_unique<DisjointSets>(3 * facets_.mesh.triangles.size());
+    DisjointSets joined(3 * facets_.mesh.triangles.size());
     std::vector<std::pair<std::uint32_t, std::uint32_t>> leading;  // corners, facets
     facets_.forEachPair([&](std::uint32_t g, std::uint32_t h) {
       const std::uint32_t a = facets_.facet_of[g / 3], b = facets_.facet_of[h / 3],
@@ -62,15 +61,15 @@ class ShapeReader {
       if (!curves_.smooth(a, b, facets_.turnAt(g, h))) return;
       const auto& v = facets_.mesh.triangles[g / 3];
       for (const std::uint32_t vertex : {v[g % 3], v[(g % 3 + 1) % 3]}) {
-        fan_->join(corner(g / 3, vertex), corner(h / 3, vertex));
+        joined.join(corner(g / 3, vertex), corner(h / 3, vertex));
         if (leads != kNobody) leading.emplace_back(corner(g / 3, vertex), leads);
       }
     });
-    fans_.assign(3 * facets_.mesh.triangles.size(), {});
-    for (const auto& [at, facet] : leading) fans_[fan_->find(at)].leading.push_back(facet);
-    for (std::uint32_t corner = 0; corner < fans_.size(); ++corner) {
+    numberFans(joined);
+    for (const auto& [at, facet] : leading) fans_[fanOf(at)].leading.push_back(facet);
+    for (std::uint32_t corner = 0; corner < fan_of_.size(); ++corner) {
       if (facets_.normals[corner / 3].isZero()) continue;
-      Fan& fan = fans_[fan_->find(corner)];
+      Fan& fan = fans_[fanOf(corner)];
       const std::uint32_t facet = facets_.facet_of[corner / 3];
       fan.several = fan.several || (fan.facet != kNobody && fan.facet != facet);
       fan.facet = facet;
@@ -78,6 +77,20 @@ class ShapeReader {
     findBorders();
     for (const BorderEdge& out : leaving_) add(out);
   }
+
+  /// A fan has many corners, and much is kept of it: so it has a number of its own.
+  void numberFans(DisjointSets& joined) {
+    constexpr std::uint32_t kOpen = kNobody;
+    fan_of_.assign(3 * facets_.mesh.triangles.size(), kOpen);
+    std::uint32_t count = 0;
+    for (std::uint32_t corner = 0; corner < fan_of_.size(); ++corner) {
+      std::uint32_t& of_first = fan_of_[joined.find(corner)];  // the lowest corner of its fan
+      if (of_first == kOpen) of_first = count++;
+      fan_of_[corner] = of_first;
+    }
+    fans_.assign(count, {});
+  }
+  std::uint32_t fanOf(std::uint32_t corner) const { return fan_of_[corner]; }
 
   struct Fan {
     std::array<Vec3, 3> sum{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of flat, leading and other facets
@@ -141,7 +154,7 @@ class ShapeReader {
       corner = leaving ? edge->to : edge->from;
       if (end != kNobody && !aligned(pointOf(corner) - from, pointOf(end) - from)) return end;
       end = corner;
-      if (fans_[fan_->find(end)].several) return end;
+      if (fans_[fanOf(end)].several) return end;
     }
     return end;
   }
@@ -153,7 +166,7 @@ class ShapeReader {
   /// Weights that are exact at vertices on spheres and cylinders (N. Max, "Weights for computing vertex
   /// normals from facet normals", 1999).
   void add(const BorderEdge& out) {
-    Fan& fan = fans_[fan_->find(out.from)];
+    Fan& fan = fans_[fanOf(out.from)];
     if (!curves_.curved(out.facet)) {
       fan.sum[0] += facets_.normals[out.from / 3];
       return;
@@ -175,12 +188,12 @@ class ShapeReader {
   /// Vertices within chords lie below the face.
   void findChords() {
     for (const BorderEdge& out : leaving_) {
-      Fan& fan = fans_[fan_->find(out.from)];
+      Fan& fan = fans_[fanOf(out.from)];
       if (!curves_.curved(out.facet) || fan.several) continue;
       const std::uint32_t a = endOfChord(out.facet, out.from, false),
                           z = endOfChord(out.facet, out.from, true);
       if (a == kNobody || z == kNobody) continue;
-      const Fan &first = fans_[fan_->find(a)], &last = fans_[fan_->find(z)];
+      const Fan &first = fans_[fanOf(a)], &last = fans_[fanOf(z)];
       const Vec3 chord = pointOf(z) - pointOf(a), part = pointOf(out.from) - pointOf(a);
       if (!first.several || !last.several || !aligned(part, chord)) continue;
       const Vec3 n = first.normal(), m = last.normal();
@@ -200,7 +213,7 @@ class ShapeReader {
 
   /// Height of the curved face over the middle of an edge, beyond the mean of its ends.
   double edgeBulge(std::uint32_t t, std::uint32_t c) {
-    const Fan &from = fans_[fan_->find(3 * t + c)], &to = fans_[fan_->find(3 * t + (c + 1) % 3)];
+    const Fan &from = fans_[fanOf(3 * t + c)], &to = fans_[fanOf(3 * t + (c + 1) % 3)];
     if ((!from.known() && !to.known()) || facets_.normals[t].isZero()) return 0.0;
     // At a crease the face ends; it turned there as much as at the other end.
     const auto mirrored = [&](const Fan& fan) {
@@ -321,14 +334,14 @@ class ShapeReader {
                  s0 = 1.0 - s1 - s2;
     const double read =
         b[0] * s0 + b[1] * s1 + b[2] * s2 + 4.0 * (b[3] * s0 * s1 + b[4] * s1 * s2 + b[5] * s2 * s0);
-    const double is = (p - o).dot(facets_.normals[t]) + fans_[fan_->find(corner)].height;
+    const double is = (p - o).dot(facets_.normals[t]) + fans_[fanOf(corner)].height;
     const double scale = 4.0 * std::max({std::abs(s0 * s1), std::abs(s1 * s2), std::abs(s2 * s0)});
     return std::abs(read - is) / std::max(1.0, scale);
   }
 
   MeshFacets facets_;
   CurvedFacets curves_;
-  std::unique_ptr<DisjointSets> fan_;
+  std::vector<std::uint32_t> fan_of_;  ///< per corner
   std::vector<Fan> fans_;
   std::vector<BorderEdge> leaving_, arriving_;  ///< by facet and the vertex that they leave, or arrive at
 };

@@ -13,7 +13,8 @@ ThreadSupply::ThreadSupply(int threads) {
   // A shortage stays for good: where a limit goes, TBB starts the threads that were missing, and where it
   // cannot it ends the process.
   if (startable < most) static_cast<void>(new ThreadLimit(startable));
-  limit_.emplace(std::min(wanted, startable));
+  count_ = std::min(wanted, startable);
+  limit_.emplace(count_);
 }
 
 }  // namespace proveout

@@ -12,8 +12,10 @@ namespace proveout {
 class ThreadSupply {
  public:
   explicit ThreadSupply(int threads);
+  int count() const { return count_; }
 
  private:
+  int count_ = 1;
   std::optional<ThreadLimit> limit_;
 };
 
