@@ -416,6 +416,7 @@ class Page {
     figure("Interpret", fixed(p.interpret_s, 2) + " s");
     figure("Remove", fixed(p.remove_s, 2) + " s");
     figure("Mesh", fixed(p.mesh_s, 2) + " s");
+    if (p.read_s > 0.0) figure("Read", fixed(p.read_s, 2) + " s");
     figure("Compare", fixed(p.compare_s, 2) + " s");
     figure("Render", fixed(p.render_s, 2) + " s");
     figure("Peak memory", fixed(p.peak_memory_mb, 0) + " MB");

@@ -85,6 +85,7 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(j["outputs"]["meshes"][0]["path"], "part.stl");
   EXPECT_EQ(j["outputs"]["html"], "report.html");
   EXPECT_EQ(j["performance"]["wall_s"], 3.25);
+  EXPECT_EQ(j["performance"]["read_s"], 0.15);
   EXPECT_EQ(j["performance"]["peak_memory_mb"], 412.0);
   EXPECT_EQ(j["performance"]["predicted_memory_mb"], 380.0);
   EXPECT_EQ(j["performance"]["predicted_s"], 3.5);

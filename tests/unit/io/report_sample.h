@@ -84,7 +84,7 @@ inline Report sampleReport() {
               {"nominal", "bracket.stl", 125084, std::string(64, 'b')}};
   r.part_sha256 = std::string(64, 'c');
   r.outputs = {{{"part.stl", "stl", std::string(64, 'd')}}, {{"iso.png", "iso"}}, {}, "report.html"};
-  r.performance = {3.25, 0.1, 1.2, 0.8, 0.9, 0.25, 412.0, 380.0, 3.5, 2};
+  r.performance = {3.25, 0.1, 1.2, 0.8, 0.9, 0.25, 0.15, 412.0, 380.0, 3.5, 2};
   r.verdict = verdictOf(r);
   return r;
 }
