@@ -168,7 +168,7 @@ const Process kTurningProcess{
               .exact_tool =
                   "inserts are exact outlines; wear, deflection and the height of the tip are not simulated",
               .exact_grid =
-                  ", at most h^2/(8r) at the smallest radius; of the mesh alone: the part is compared as its "
+                  ", measured on the cells of the mesh; of the mesh alone: the part is compared as its "
                   "section and "
                   "threads",
               .exact_section =

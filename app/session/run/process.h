@@ -93,9 +93,8 @@ bool needsGrid(const Job& job);
 
 /// ProcessWords::exact_grid where tools sweep volumes out of the grid.
 inline constexpr const char* kSweptGridAccuracy =
-    ": flat faces are exact, walls as curved as the smallest tool are off by at most h^2/(8r); details "
-    "thinner than a "
-    "cell may be lost, and the edges of a cell with several of them be off by as much";
+    ": measured on the cells of the mesh, by the heights of their corners over the faces; details thinner "
+    "than a cell may be lost";
 
 // The rows.
 extern const Process kMillingProcess;
