@@ -238,30 +238,38 @@ inline unsigned Spans::touching(const Span& span) const {
 #endif
 }
 
-/// Triangles stand leaf by leaf, so that those with following numbers are close together: trees of boxes over
-/// groups of them, in their order, find neighbours without sorting. Two go down side by side, one over the
-/// suspects and one over all, and part where their boxes do.
+/// Triangles stand leaf by leaf, so that those with following numbers are close together: a tree of boxes
+/// over groups of them, in their order, finds neighbours without sorting. Groups with suspects ask it for the
+/// groups that they touch.
 class Finder {
  public:
   Finder(const TriMesh& mesh, std::span<const std::uint8_t> suspect)
-      : mesh_(mesh), suspect_(suspect), count_(mesh.triangles.size()) {}
+      : mesh_(mesh),
+        suspect_(suspect),
+        count_(mesh.triangles.size()),
+        groups_((count_ + Spans::kCount - 1) / Spans::kCount) {}
   /// Looks at these triangles alone, all of them suspects.
   Finder(const TriMesh& mesh, std::span<const std::uint32_t> chosen)
-      : mesh_(mesh), chosen_(chosen), count_(chosen.size()) {}
+      : mesh_(mesh),
+        chosen_(chosen),
+        count_(chosen.size()),
+        groups_((count_ + Spans::kCount - 1) / Spans::kCount) {}
 
   std::vector<std::array<std::uint32_t, 2>> find();
 
  private:
   using Pairs = std::vector<std::array<std::uint32_t, 2>>;
-  /// Spans of groups; of the spans below; ...; one at the top.
-  using Levels = std::vector<std::vector<Spans>>;
+  /// The suspects among the triangles of a group; empty spans at the others.
+  struct Group {
+    Spans spans;
+    unsigned suspects = 0;
+  };
   /// Spans of groups that were looked at last: each is near many others.
   struct SpanCache {
     static constexpr std::size_t kEntries = 256;
     struct Entry {
       std::size_t group = SIZE_MAX;
       Spans spans;
-      unsigned suspects = 0;
     };
     std::vector<Entry> entries = std::vector<Entry>(kEntries);
   };
@@ -276,80 +284,80 @@ class Finder {
   }
   bool isSuspect(std::size_t i) const { return suspect_.empty() || suspect_[i] != 0; }
   std::size_t endOf(std::size_t group) const { return std::min(count_, (group + 1) * Spans::kCount); }
-  void buildTrees();
-  void addGroups(std::size_t node);
-  const Levels& suspects() const { return suspect_.empty() ? all_ : suspects_; }
-  const SpanCache::Entry& groupAt(std::size_t group, SpanCache& cache) const;
-  void compare(const SpanCache::Entry& own, const SpanCache::Entry& other, const Span& there,
+  Group suspectsOf(std::size_t group) const;
+  Spans spansOf(std::size_t group) const {
+    Spans spans;
+    const std::size_t first = group * Spans::kCount;
+    for (std::size_t t = first; t < endOf(group); ++t) spans.set(t - first, spanOf(t));
+    return spans;
+  }
+  void buildTree();
+  template <typename Body>
+  void eachTouching(const Span& span, std::size_t level, std::size_t at, Body&& body) const;
+  void compare(std::size_t own, const Group& group, std::size_t other, const Spans& there,
                Pairs& found) const;
-  void descend(const Span& span, std::size_t from, std::size_t b, const Span& there, std::size_t level,
-               std::size_t a, SpanCache& cache, Pairs& found) const;
-  void join(std::size_t level, std::size_t a, std::size_t b, const Span& there, SpanCache& cache,
-            Pairs& found) const;
-  void joinGroups(std::size_t own, std::size_t b, unsigned others, SpanCache& cache, Pairs& found) const;
-  void addNeedles(std::size_t first, std::size_t last, Pairs& found) const;
+  Pairs findOf(std::size_t first, std::size_t last) const;
 
   const TriMesh& mesh_;
   std::span<const std::uint8_t> suspect_;  ///< a flag a triangle; empty: all are
   std::span<const std::uint32_t> chosen_;  ///< what is looked at; empty: all
-  std::size_t count_;
-  Levels all_, suspects_;  ///< the second empty where all are suspects
+  std::size_t count_, groups_;
+  std::vector<std::vector<Spans>> levels_;  ///< spans of groups; of the spans below; ...; one at the top
 };
 
-/// The spans of the groups of a node of the lowest level.
-void Finder::addGroups(std::size_t node) {
-  const std::size_t groups = (count_ + Spans::kCount - 1) / Spans::kCount;
-  for (std::size_t k = 0; k < Spans::kCount && node * Spans::kCount + k < groups; ++k) {
-    const std::size_t group = node * Spans::kCount + k;
-    Span every, some;
-    for (std::size_t t = group * Spans::kCount; t < endOf(group); ++t) {
-      const Span span = spanOf(t);
-      every.add(span);
-      if (!suspect_.empty() && suspect_[t] != 0) some.add(span);
-    }
-    all_[0][node].set(k, every);
-    if (!suspect_.empty()) suspects_[0][node].set(k, some);
-  }
-}
-
-void Finder::buildTrees() {
-  constexpr std::size_t kUnder = std::size_t{Spans::kCount} * Spans::kCount;
-  const std::size_t lowest = (count_ + kUnder - 1) / kUnder;
-  all_.emplace_back(lowest);
-  if (!suspect_.empty()) suspects_.emplace_back(lowest);
-  parallelFor(std::size_t{0}, lowest, [&](std::size_t node) { addGroups(node); });
-  for (Levels* levels : {&all_, &suspects_}) {
-    while (!levels->empty() && levels->back().size() > 1) {
-      const std::vector<Spans>& below = levels->back();
-      std::vector<Spans> level((below.size() + Spans::kCount - 1) / Spans::kCount);
-      for (std::size_t i = 0; i < below.size(); ++i)
-        level[i / Spans::kCount].set(i % Spans::kCount, below[i].all());
-      levels->push_back(std::move(level));
-    }
-  }
-}
-
-const Finder::SpanCache::Entry& Finder::groupAt(std::size_t group, SpanCache& cache) const {
-  SpanCache::Entry& entry = cache.entries[group % SpanCache::kEntries];
-  if (entry.group == group) return entry;
-  entry = {group, {}, 0};
+Finder::Group Finder::suspectsOf(std::size_t group) const {
+  Group out;
   const std::size_t first = group * Spans::kCount;
   for (std::size_t t = first; t < endOf(group); ++t) {
-    entry.spans.set(t - first, spanOf(t));
-    if (isSuspect(t)) entry.suspects |= 1u << (t - first);
+    if (!isSuspect(t)) continue;
+    out.suspects |= 1u << (t - first);
+    out.spans.set(t - first, spanOf(t));
   }
-  return entry;
+  return out;
 }
 
-/// Pairs of a suspect of the group `own` and a triangle of `other`, which is in the box `there`. Of two
+void Finder::buildTree() {
+  levels_.emplace_back((groups_ + Spans::kCount - 1) / Spans::kCount);
+  parallelFor(std::size_t{0}, levels_[0].size(), [&](std::size_t i) {
+    for (std::size_t k = 0; k < Spans::kCount && i * Spans::kCount + k < groups_; ++k) {
+      const std::size_t group = i * Spans::kCount + k;
+      Span all;
+      for (std::size_t t = group * Spans::kCount; t < endOf(group); ++t) all.add(spanOf(t));
+      levels_[0][i].set(k, all);
+    }
+  });
+  while (levels_.back().size() > 1) {
+    const std::vector<Spans>& below = levels_.back();
+    std::vector<Spans> level((below.size() + Spans::kCount - 1) / Spans::kCount);
+    for (std::size_t i = 0; i < below.size(); ++i)
+      level[i / Spans::kCount].set(i % Spans::kCount, below[i].all());
+    levels_.push_back(std::move(level));
+  }
+}
+
+/// Calls body(group) for the groups that the span touches.
+template <typename Body>
+void Finder::eachTouching(const Span& span, std::size_t level, std::size_t at, Body&& body) const {
+  for (unsigned rest = levels_[level][at].touching(span); rest != 0; rest &= rest - 1) {
+    const std::size_t below = at * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
+    if (level == 0) {
+      body(below);
+    } else {
+      eachTouching(span, level - 1, below, body);
+    }
+  }
+}
+
+/// Pairs of a suspect of the group `own` and a triangle of the group `other`, whose spans are given. Of two
 /// suspects the lower one finds the other.
-void Finder::compare(const SpanCache::Entry& own, const SpanCache::Entry& other, const Span& there,
+void Finder::compare(std::size_t own, const Group& group, std::size_t other, const Spans& there,
                      Pairs& found) const {
-  for (unsigned left = own.suspects & own.spans.touching(there); left != 0; left &= left - 1) {
+  const Span all = levels_[0][other / Spans::kCount].at(other % Spans::kCount);
+  for (unsigned left = group.suspects & group.spans.touching(all); left != 0; left &= left - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(left));
-    const std::size_t s = own.group * Spans::kCount + k;
-    for (unsigned rest = other.spans.touching(own.spans.at(k)); rest != 0; rest &= rest - 1) {
-      const std::size_t t = other.group * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
+    const std::size_t s = own * Spans::kCount + k;
+    for (unsigned rest = there.touching(group.spans.at(k)); rest != 0; rest &= rest - 1) {
+      const std::size_t t = other * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
       if (s == t || (s > t && isSuspect(t))) continue;
       const std::uint32_t low = numberOf(std::min(s, t)), high = numberOf(std::max(s, t));
       if (trianglesMeet(mesh_, low, high)) found.push_back({low, high});
@@ -357,76 +365,35 @@ void Finder::compare(const SpanCache::Entry& own, const SpanCache::Entry& other,
   }
 }
 
-/// Joins node `a` of the suspects, at `level`, with those of the same level below node `b` of level `from`,
-/// which is in the box `there`, that its box touches.
-void Finder::descend(const Span& span, std::size_t from, std::size_t b, const Span& there, std::size_t level,
-                     std::size_t a, SpanCache& cache, Pairs& found) const {
-  if (from == level) return join(level, a, b, there, cache, found);
-  const Spans& below = all_[from][b];
-  for (unsigned rest = below.touching(span); rest != 0; rest &= rest - 1) {
-    const auto j = static_cast<std::size_t>(std::countr_zero(rest));
-    descend(span, from - 1, b * Spans::kCount + j, below.at(j), level, a, cache, found);
-  }
-}
-
-/// All pairs of suspects below node `a` and triangles below node `b` of the same level.
-void Finder::join(std::size_t level, std::size_t a, std::size_t b, const Span& there, SpanCache& cache,
-                  Pairs& found) const {
-  if (suspect_.empty() && b < a) return;  // found from there
-  const Spans& mine = suspects()[level][a];
-  const Spans& theirs = all_[level][b];
-  for (unsigned left = mine.touching(there); left != 0; left &= left - 1) {
-    const auto i = static_cast<std::size_t>(std::countr_zero(left));
-    const std::size_t own = a * Spans::kCount + i;
-    unsigned rest = theirs.touching(mine.at(i));
-    if (level == 0) {
-      joinGroups(own, b, rest, cache, found);
-      continue;
+/// Pairs of the suspects of groups first..last-1.
+Finder::Pairs Finder::findOf(std::size_t first, std::size_t last) const {
+  Pairs found;
+  SpanCache cache;
+  for (std::size_t own = first; own < last; ++own) {
+    const Group group = suspectsOf(own);
+    if (group.suspects == 0) continue;
+    for (unsigned rest = group.suspects; rest != 0; rest &= rest - 1) {
+      const std::uint32_t t =
+          numberOf(own * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest)));
+      if (isNeedle(mesh_, t)) found.push_back({t, t});
     }
-    for (; rest != 0; rest &= rest - 1) {
-      const auto j = static_cast<std::size_t>(std::countr_zero(rest));
-      join(level - 1, own, b * Spans::kCount + j, theirs.at(j), cache, found);
-    }
+    eachTouching(group.spans.all(), levels_.size() - 1, 0, [&](std::size_t other) {
+      if (suspect_.empty() && other < own) return;  // found from there
+      SpanCache::Entry& entry = cache.entries[other % SpanCache::kEntries];
+      if (entry.group != other) entry = {other, spansOf(other)};
+      compare(own, group, other, entry.spans, found);
+    });
   }
-}
-
-/// All pairs of suspects of the group `own` and triangles of these groups of node `b` of the lowest level.
-void Finder::joinGroups(std::size_t own, std::size_t b, unsigned others, SpanCache& cache,
-                        Pairs& found) const {
-  if (others == 0) return;
-  const SpanCache::Entry group = groupAt(own, cache);  // a copy: another may take its place
-  for (; others != 0; others &= others - 1) {
-    const auto j = static_cast<std::size_t>(std::countr_zero(others));
-    const std::size_t other = b * Spans::kCount + j;
-    if (suspect_.empty() && other < own) continue;  // found from there
-    compare(group, groupAt(other, cache), all_[0][b].at(j), found);
-  }
-}
-
-void Finder::addNeedles(std::size_t first, std::size_t last, Pairs& found) const {
-  for (std::size_t i = first; i < std::min(last, count_); ++i) {
-    if (isSuspect(i) && isNeedle(mesh_, numberOf(i))) found.push_back({numberOf(i), numberOf(i)});
-  }
+  return found;
 }
 
 std::vector<std::array<std::uint32_t, 2>> Finder::find() {
   if (count_ == 0) return {};
-  buildTrees();
-  // Nodes of suspects that one thread joins, and triangles below one of them.
-  constexpr std::size_t kPart = 4;
-  const std::size_t top = all_.size() - 1, level = std::min<std::size_t>(1, top);
-  const std::size_t nodes = all_[level].size(), under = std::size_t{64} << 3 * level;
-  std::vector<Pairs> found((nodes + kPart - 1) / kPart);
-  const Span everything = all_[top][0].all();
+  buildTree();
+  constexpr std::size_t kPart = 256;
+  std::vector<Pairs> found((groups_ + kPart - 1) / kPart);
   parallelFor(std::size_t{0}, found.size(), [&](std::size_t part) {
-    SpanCache cache;
-    const std::size_t first = part * kPart, last = std::min(nodes, first + kPart);
-    addNeedles(first * under, last * under, found[part]);
-    for (std::size_t a = first; a < last; ++a) {
-      const Span span = suspects()[level][a].all();
-      const bool any = span.low.x() <= span.high.x();
-      if (any) descend(span, top, 0, everything, level, a, cache, found[part]);
-    }
+    found[part] = findOf(part * kPart, std::min(groups_, (part + 1) * kPart));
   });
   Pairs out;
   for (const Pairs& list : found) out.insert(out.end(), list.begin(), list.end());

@@ -23,8 +23,8 @@ constexpr double kSteepest = 0.7;
 /// other word the volume was off by 0.2 % or more of what was removed.
 constexpr double kErrorFactor = 2.0;
 /// Part of what lies between facets and surface by which the volume may be off beside a feature edge, where
-/// the corners say less of how the face bends: with it the volumes of 199 of 200 programs of
-/// tests/reference/told_error_test is within what is told.
+/// the corners say less of how the face bends: with it those of 199 of 200 programs of
+/// tests/reference/told_error_test are within what is told.
 constexpr double kBesideFeature = 0.03;
 /// Where corners lie at a smaller slope than this the surface bends as a quadratic: the next term is less
 /// than 1e-4 of the bulge.
