@@ -25,7 +25,7 @@ constexpr double kErrorFactor = 2.0;
 /// Part of what lies between facets and surface by which the volume may be off beside a feature edge, where
 /// the corners say less of how the face bends: with it those of 199 of 200 programs of
 /// tests/reference/told_error_test are within what is told.
-constexpr double kBesideFeature = 0.03;
+constexpr double kBesideFeature = 0.3;
 /// Where corners lie at a smaller slope than this the surface bends as a quadratic: the next term is less
 /// than 1e-4 of the bulge.
 constexpr double kQuarticSlope = 0.01;
@@ -301,7 +301,7 @@ QuadVolume quadVolume(const std::array<Vec3, 4>& corners, const Vec3& crossing, 
   const bool steep = slope2 > kSteepest * kSteepest;
   const double half = 0.5 * area.norm();
   const double bent = kErrorFactor * between * half * (steep ? 1.0 : slope2);
-  const double error = bent + (smooth_corners != 0xF ? kBesideFeature * off * half : 0.0);
+  const double error = bent + (smooth_corners != 0xF ? kBesideFeature * std::sqrt(slope2) * off * half : 0.0);
   if (const int other = cornerBeyondEdge(p, normal, smooth_corners); other >= 0)
     return {brokenVolume(p, from, other), error, off, bent};
   if (steep) return {cones, error, off, bent};

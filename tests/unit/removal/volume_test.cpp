@@ -141,7 +141,7 @@ TEST(StockVolume, TellsHowFarItIsOff) {
       const double removed = radius * radius * (std::acos(0.2) - 0.2 * std::sqrt(0.96)) * length;
       EXPECT_LT(std::abs(before.mm3 - after.mm3 - removed), after.error_mm3 + 2e-5 * removed)
           << grid << ' ' << i;
-      EXPECT_LT(after.error_mm3, (grid > 0.2 ? 2e-2 : 5e-6) * removed) << grid << ' ' << i;
+      EXPECT_LT(after.error_mm3, (grid > 0.2 ? 2e-2 : 2e-6) * removed) << grid << ' ' << i;
     }
   }
 }
