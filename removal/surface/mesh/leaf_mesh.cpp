@@ -50,16 +50,10 @@ std::vector<std::uint8_t> verticesOf(const LeafMesh& mesh, const std::vector<std
   return touched;
 }
 
-std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& merger,
-                                      const std::vector<std::uint8_t>& changed,
-                                      std::vector<std::uint8_t>& unwatched) {
+std::vector<std::uint32_t> findBrokenFans(const LeafMesh& mesh, const VertexMerger& merger,
+                                          std::vector<std::uint8_t>& unwatched) {
   std::vector<std::uint32_t> faults;
   if (!merger.active()) return faults;
-  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
-    const auto& found = mesh.flaws[i].faults;
-    if (changed[i] != 0) faults.insert(faults.end(), found.begin(), found.end());
-  }
-  if (!faults.empty()) return faults;
   const std::vector<std::uint8_t> touched = verticesOf(mesh, unwatched);
   std::fill(unwatched.begin(), unwatched.end(), 0);
   std::vector<std::uint32_t> watched(mesh.mesh.positions.size(), kNoWatch);
@@ -99,7 +93,7 @@ TrianglePairs findSelfIntersections(const LeafMesh& mesh, const SurfaceGrid& gri
   if (!doubts.empty()) flagInside(all, doubts, corner);
   for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
     if (unchecked[i] == 0) continue;
-    for (const std::uint32_t k : mesh.flaws[i].poor) {
+    for (const std::uint32_t k : mesh.poor[i]) {
       for (const std::uint32_t v : all.triangles[mesh.parts[i].first_triangle + k]) corner[v] = 1;
     }
     const SurfaceLeaf& leaf = grid.leaves()[i];

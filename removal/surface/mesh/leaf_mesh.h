@@ -22,19 +22,13 @@ struct LeafPart {
   std::size_t lastTriangle() const { return first_triangle + triangles; }  ///< the one after it
 };
 
-/// What is wrong with the triangles of a leaf.
-struct LeafFlaws {
-  std::vector<std::uint32_t>
-      faults;  ///< merged vertices of triangles that face the wrong way or are off the surface
-  std::vector<std::uint32_t> poor;  ///< triangles, from the first one, that lean far from the exact surface
-};
-
 /// Its vertices are first those of cells that stand for themselves, leaf by leaf, then those of further
 /// sheets, then those of fans; its triangles those of leaves, then those of fans.
 struct LeafMesh {
   TriMesh mesh;
   std::vector<LeafPart> parts;  ///< one a leaf
-  std::vector<LeafFlaws> flaws;
+  /// By leaf: triangles, from its first one, that lean far from the exact surface.
+  std::vector<std::vector<std::uint32_t>> poor;
   std::uint32_t cells = 0;   ///< of the grid
   std::uint32_t kept = 0;    ///< of them, those that stand for themselves
   std::uint32_t sheets = 0;  ///< vertices of further sheets
@@ -68,12 +62,10 @@ bool isDense(const LeafMesh& mesh);
 /// Flags of the vertices of triangles in leaves with this flag, and of all fans.
 std::vector<std::uint8_t> verticesOf(const LeafMesh& mesh, const std::vector<std::uint8_t>& leaves);
 
-/// Merged cells that spoil the mesh: those of triangles that face the wrong way, in leaves that `changed` (a
-/// flag for each); or, where there are none, those whose triangles are not one closed fan, in leaves that
-/// are `unwatched` (a flag for each, which this clears).
-std::vector<std::uint32_t> findFaults(const LeafMesh& mesh, const VertexMerger& merger,
-                                      const std::vector<std::uint8_t>& changed,
-                                      std::vector<std::uint8_t>& unwatched);
+/// Merged cells whose triangles are not one closed fan, in leaves that are `unwatched` (a flag for each,
+/// which this clears).
+std::vector<std::uint32_t> findBrokenFans(const LeafMesh& mesh, const VertexMerger& merger,
+                                          std::vector<std::uint8_t>& unwatched);
 
 using TrianglePairs = std::vector<std::array<std::uint32_t, 2>>;
 

@@ -13,14 +13,8 @@ namespace proveout {
 
 namespace {
 
-/// Triangles of merged vertices that lean more than this (73 degrees) from the exact surface are refused.
-constexpr double kLeastAgreement = 0.3;
 /// Around triangles that lean more than this (60 degrees) the surface may run through itself.
 constexpr double kPoorAgreement = 0.5;
-
-/// Merged triangles may be off the corners of the quads that they replace, and off the middles of the quads'
-/// edges, by at most this many times the height of a merged patch.
-constexpr double kMostOff = 1.0;
 
 /// Resizes a vector whose contents will all be written, with room for `spare` more. The system clears fresh
 /// pages where they are first touched: so that happens in all threads, and not in the one that would fill
@@ -40,52 +34,9 @@ void resizeTouched(std::vector<T>& vector, std::size_t size, std::size_t spare) 
   vector.resize(size);
 }
 
-/// What merging made of a quad.
-class MergedQuad {
- public:
-  /// `before`: as it was, with the length unit and the origin of the mesh.
-  explicit MergedQuad(const Quad& before) : normal_(before.normal) {
-    const std::array<Vec3, 4>& p = before.p;
-    for (std::size_t i = 0; i < 4; ++i) {
-      held_[i] = p[i];
-      held_[4 + i] = 0.5 * (p[i] + p[(i + 1) % 4]);
-    }
-    const bool at02 = cutQuad(p, before.middle, normal_, before.smooth_corners).at02;
-    held_[8] = at02 ? 0.5 * (p[0] + p[2]) : 0.5 * (p[1] + p[3]);
-  }
-  /// For a quad that became one triangle.
-  void add(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 n = facing(a, b, c);
-    for (const Vec3& p : held_) off = std::max(off, std::abs(n.dot(p - a)));
-  }
-  /// For a quad that became the triangles a, b, c and a, c, d. Each is held against what is on its side of
-  /// their edge: a plane may be near to what lies far beside its triangle.
-  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    const Vec3 of_b = facing(a, b, c), of_d = facing(a, c, d), to_d = normal_.cross(c - a);
-    for (const Vec3& p : held_)
-      off = std::max(off, std::abs((to_d.dot(p - a) > 0.0 ? of_d : of_b).dot(p - a)));
-  }
-  /// Cosine of the largest angle between the exact surface and a triangle.
-  double agreement = 1.0;
-  /// Largest distance of the points that the triangles replace from their planes.
-  double off = 0.0;
-
- private:
-  Vec3 facing(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 area = (b - a).cross(c - a), n = area / (area.norm() + 1e-300);
-    agreement = std::min(agreement, normal_.dot(n));
-    return n;
-  }
-  const Vec3& normal_;
-  /// The points that it replaces, as they were: corners, middles of the sides, and of the edge that it was
-  /// cut along.
-  std::array<Vec3, 9> held_;
-};
-
 }  // namespace
 
-MeshWriter::MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger)
-    : grid_(grid), merger_(merger), reach_(kMostOff * merger.flatness() * grid.impl().h) {}
+MeshWriter::MeshWriter(const SurfaceGrid& grid, const VertexMerger& merger) : grid_(grid), merger_(merger) {}
 
 std::uint32_t MeshWriter::keptCells(const SurfaceLeaf& leaf) const {
   std::uint32_t kept = 0;
@@ -99,7 +50,7 @@ void MeshWriter::layOut(const std::vector<LeafQuads>& quads, const std::vector<s
   now_.cells = static_cast<std::uint32_t>(grid_.cellCount());
   now_.sheets = static_cast<std::uint32_t>(grid_.vertexCount() - grid_.cellCount());
   now_.parts.resize(leaves);
-  now_.flaws.resize(leaves);
+  now_.poor.resize(leaves);
   now_.kept = 0;
   if (merger_.active()) {
     if (!now_.number) now_.number = std::make_unique_for_overwrite<std::uint32_t[]>(now_.cells);
@@ -170,9 +121,8 @@ void MeshWriter::copyVertices(std::size_t number) {
 }
 
 void MeshWriter::writeLeaf(const SurfaceLeaf& leaf, const LeafQuads& quads, std::size_t number) {
-  LeafFlaws& flaws = now_.flaws[number];
-  flaws.faults.clear();
-  flaws.poor.clear();
+  std::vector<std::uint32_t>& poor = now_.poor[number];
+  poor.clear();
   if (quads.triangles == 0) return;
   const std::size_t first = now_.parts[number].first_triangle;
   std::size_t next = first;
@@ -185,66 +135,50 @@ void MeshWriter::writeLeaf(const SurfaceLeaf& leaf, const LeafQuads& quads, std:
     Quad quad;
     reader.readCorners(axis, x, y, z, quad);
     if (state & QuadState::kMerged) {
-      if (state & QuadState::kBulged) addFaults(quad.v, flaws);
       if (polygonOf(merger_, quad.v).count == 0) return;
       reader.read(axis, x, y, z, c, quad);
-      next = writeMerged(leaf, quad, c, first, next, flaws);
+      next = writeMerged(leaf, quad, c, first, next, poor);
     } else {
       std::array<std::uint32_t, 4> v;
       for (int i = 0; i < 4; ++i) v[i] = now_.numberOf(quad.v[i]);
-      next = writeQuad(v, state & QuadState::kAt02, state & QuadState::kPoor, c, first, next, flaws);
+      next = writeQuad(v, state & QuadState::kAt02, state & QuadState::kPoor, c, first, next, poor);
     }
   });
   PROVEOUT_ASSERT(next == now_.parts[number].lastTriangle());
 }
 
 /// Writes the triangles of a quad from number `next` on; returns the number after them. `first`: of the leaf.
-std::size_t MeshWriter::writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool poor,
-                                  const Crossing& c, std::size_t first, std::size_t next, LeafFlaws& flaws) {
+std::size_t MeshWriter::writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool leans,
+                                  const Crossing& c, std::size_t first, std::size_t next,
+                                  std::vector<std::uint32_t>& poor) {
   now_.mesh.triangles[next] = {v[0], v[1], v[at02 ? 2 : 3]};
   now_.mesh.triangles[next + 1] = {v[at02 ? 0 : 1], v[2], v[3]};
   now_.mesh.motion[next] = now_.mesh.motion[next + 1] = knownMotion(c.motion);
-  for (std::size_t t = next; poor && t < next + 2; ++t)
-    flaws.poor.push_back(static_cast<std::uint32_t>(t - first));
+  for (std::size_t t = next; leans && t < next + 2; ++t)
+    poor.push_back(static_cast<std::uint32_t>(t - first));
   return next + 2;
 }
 
-/// Marks the merged cells at a quad to be taken apart.
-void MeshWriter::addFaults(const std::array<std::uint32_t, 4>& v, LeafFlaws& flaws) const {
-  for (const std::uint32_t corner : v) {
-    if (merger_.merged(corner)) flaws.faults.push_back(merger_.standIn(corner));
-  }
-}
-
-/// Writes a quad with merged corners, judged where those are now; arguments as above.
+/// Writes a quad with merged corners, cut where those are now; arguments as above.
 std::size_t MeshWriter::writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, std::size_t first,
-                                    std::size_t next, LeafFlaws& flaws) {
+                                    std::size_t next, std::vector<std::uint32_t>& poor) {
   const Polygon poly = polygonOf(merger_, quad.v);
-  if (poly.count == 0) return next;
-  const Vec3 origin = grid_.impl().position(leaf.stock->origin);
-  for (Vec3& p : quad.p) p = origin + grid_.impl().h * p;
-  quad.middle = origin + grid_.impl().h * quad.middle;
-  MergedQuad made(quad);
   std::array<std::uint32_t, 4> v;
   for (int i = 0; i < poly.count; ++i) {
     v[i] = now_.numberOf(poly.v[i]);
     quad.p[i] = now_.mesh.positions[v[i]].cast<double>();
   }
-  if (poly.count == 3) {
-    made.add(quad.p[0], quad.p[1], quad.p[2]);
-    now_.mesh.triangles[next] = {v[0], v[1], v[2]};
-    now_.mesh.motion[next] = knownMotion(c.motion);
-    if (made.agreement < kPoorAgreement) flaws.poor.push_back(static_cast<std::uint32_t>(next - first));
-    ++next;
-  } else {
-    const QuadCut cut = cutQuad(quad.p, quad.middle, quad.normal, 0u);
-    const int a = cut.at02 ? 0 : 1;
-    made.add(quad.p[a], quad.p[a + 1], quad.p[a + 2], quad.p[(a + 3) % 4]);
-    next = writeQuad(v, cut.at02, cut.poor, c, first, next, flaws);
+  if (poly.count == 4) {
+    const Vec3 middle = grid_.impl().position(leaf.stock->origin) + grid_.impl().h * quad.middle;
+    const QuadCut cut = cutQuad(quad.p, middle, quad.normal, 0u);
+    return writeQuad(v, cut.at02, cut.poor, c, first, next, poor);
   }
-  if (made.agreement > kLeastAgreement && made.off <= reach_) return next;
-  addFaults(quad.v, flaws);
-  return next;
+  now_.mesh.triangles[next] = {v[0], v[1], v[2]};
+  now_.mesh.motion[next] = knownMotion(c.motion);
+  const Vec3 area = (quad.p[1] - quad.p[0]).cross(quad.p[2] - quad.p[0]);
+  if (quad.normal.dot(area) < kPoorAgreement * area.norm())
+    poor.push_back(static_cast<std::uint32_t>(next - first));
+  return next + 1;
 }
 
 /// Copies the triangles of a leaf that did not change, with the vertices' new numbers.
@@ -301,7 +235,7 @@ LeafMesh* MeshWriter::write(const std::vector<LeafQuads>& quads, const std::vect
                             Progress& progress) {
   std::swap(now_, before_);
   now_.number = std::move(before_.number);
-  std::swap(now_.flaws, before_.flaws);
+  std::swap(now_.poor, before_.poor);
   layOut(quads, changed);
   makeRoom(quads);
   const auto eachLeaf = [&](auto&& body) {

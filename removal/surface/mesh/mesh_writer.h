@@ -27,17 +27,15 @@ class MeshWriter {
   void writeVertices(const SurfaceLeaf& leaf, std::size_t number, bool changed);
   void copyVertices(std::size_t number);
   void writeLeaf(const SurfaceLeaf& leaf, const LeafQuads& quads, std::size_t number);
-  std::size_t writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool poor, const Crossing& c,
-                        std::size_t first, std::size_t next, LeafFlaws& flaws);
+  std::size_t writeQuad(const std::array<std::uint32_t, 4>& v, bool at02, bool leans, const Crossing& c,
+                        std::size_t first, std::size_t next, std::vector<std::uint32_t>& poor);
   std::size_t writeMerged(const SurfaceLeaf& leaf, Quad& quad, const Crossing& c, std::size_t first,
-                          std::size_t next, LeafFlaws& flaws);
-  void addFaults(const std::array<std::uint32_t, 4>& v, LeafFlaws& flaws) const;
+                          std::size_t next, std::vector<std::uint32_t>& poor);
   void copyLeaf(std::size_t number);
   void writeFans(const std::vector<LeafQuads>& quads);
 
   const SurfaceGrid& grid_;
   const VertexMerger& merger_;
-  double reach_;  ///< how far merged triangles may be off the corners that there were, mm
   LeafMesh now_;
   LeafMesh before_;  ///< of the previous call; its memory serves the next one
 };

@@ -9,6 +9,7 @@
 #include "core/base/parallel_for.h"
 #include "core/base/stretches.h"
 #include "core/geometry/to_float.h"
+#include "removal/surface/mesh/merge_judge.h"
 #include "removal/surface/mesh/mesh_writer.h"
 #include "removal/surface/repair/intersection_repair.h"
 #include "removal/surface/repair/open_steps.h"
@@ -62,6 +63,8 @@ class MeshRepair {
         changed_(quads_.size(), 1),
         unwatched_(quads_.size(), 1),
         unchecked_(quads_.size(), 1),
+        unwritten_(quads_.size(), 1),
+        judge_(grid, merger),
         writer_(grid, merger) {}
 
   std::optional<RepairedMesh> run(Progress& progress);
@@ -80,9 +83,11 @@ class MeshRepair {
   const QuadPlanner& planner_;
   std::vector<LeafQuads> quads_;
   const std::vector<Box3>& doubts_;
-  std::vector<std::uint8_t> changed_;    ///< leaves whose triangles must be made again
+  std::vector<std::uint8_t> changed_;    ///< leaves whose quads are not judged yet
   std::vector<std::uint8_t> unwatched_;  ///< leaves whose fans are not checked yet
   std::vector<std::uint8_t> unchecked_;  ///< leaves that are not checked for intersections yet
+  std::vector<std::uint8_t> unwritten_;  ///< leaves that changed since the mesh was written
+  MergeJudge judge_;
   MeshWriter writer_;
 };
 
@@ -155,8 +160,8 @@ void MeshRepair::planAgain(const std::vector<std::int32_t>& taken_apart, Progres
     for (int i = 0; i < 7; ++i) {
       const std::int32_t reader = grid_.leaves()[static_cast<std::size_t>(n)].upper[i];
       if (reader >= 0)
-        changed_[static_cast<std::size_t>(reader)] = unwatched_[static_cast<std::size_t>(reader)] =
-            unchecked_[static_cast<std::size_t>(reader)] = 1;
+        changed_[static_cast<std::size_t>(reader)] = unwritten_[static_cast<std::size_t>(reader)] =
+            unwatched_[static_cast<std::size_t>(reader)] = unchecked_[static_cast<std::size_t>(reader)] = 1;
     }
   }
   parallelFor(std::size_t{0}, quads_.size(), [&](std::size_t i) {
@@ -188,9 +193,14 @@ std::vector<StepVertex> MeshRepair::stepVertices(const LeafMesh& mesh) const {
 std::optional<RepairedMesh> MeshRepair::run(Progress& progress) {
   for (int fault_rounds = 0, part_rounds = 0;;) {
     if (progress.cancelled()) return std::nullopt;
-    LeafMesh* const written = writer_.write(quads_, changed_, progress);
-    if (written == nullptr) return std::nullopt;
-    std::vector<std::uint32_t> faults = findFaults(*written, merger_, changed_, unwatched_);
+    std::vector<std::uint32_t> faults = judge_.faults(quads_, changed_, progress);
+    LeafMesh* written = nullptr;
+    if (faults.empty()) {
+      written = writer_.write(quads_, unwritten_, progress);
+      if (written == nullptr) return std::nullopt;
+      std::fill(unwritten_.begin(), unwritten_.end(), 0);
+      faults = findBrokenFans(*written, merger_, unwatched_);
+    }
     if (!faults.empty()) {
       const bool again = ++fault_rounds <= kRepairRounds;
       planAgain(again ? merger_.takeApart(std::move(faults)) : merger_.giveUp(), progress);
