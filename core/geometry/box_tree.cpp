@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
@@ -30,25 +31,25 @@ double halfSurface(const Box3& box) {
 
 }  // namespace
 
+template <typename Box>
 class BoxTree::Builder {
  public:
-  Builder(BoxTree& tree, const std::vector<Box3>& boxes) : tree_(tree), boxes_(boxes) {}
+  Builder(BoxTree& tree, const std::vector<Box>& boxes)
+      : tree_(tree), boxes_(boxes), nodes_(std::make_unique_for_overwrite<Node[]>(boxes.size())) {}
 
   void run() {
     tree_.order_.resize(boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) tree_.order_[i] = static_cast<std::uint32_t>(i);
-    tree_.nodes_.resize(boxes_.size());
     Box3 bounds;
     tree_.root_ = build(0, static_cast<std::uint32_t>(boxes_.size()), 0, bounds);
     PROVEOUT_ASSERT(used_ <= boxes_.size());
-    tree_.nodes_.resize(used_);
-    tree_.nodes_.shrink_to_fit();
+    tree_.nodes_.assign(nodes_.get(), nodes_.get() + used_);
   }
 
  private:
   std::uint32_t build(std::uint32_t first, std::uint32_t last, int depth, Box3& bounds) {
     if (last - first <= kLeafSize) {
-      for (std::uint32_t i = first; i < last; ++i) bounds.extend(boxes_[tree_.order_[i]]);
+      for (std::uint32_t i = first; i < last; ++i) bounds.extend(boxAt(tree_.order_[i]));
       return kEmptyLeaf | first << kCountBits | (last - first);
     }
     const std::uint32_t middle = depth < kMaxDepth ? split(first, last) : first + (last - first) / 2;
@@ -66,7 +67,7 @@ class BoxTree::Builder {
       half(0);
       half(1);
     }
-    Node& node = tree_.nodes_[number];
+    Node& node = nodes_[number];
     for (int side = 0; side < 2; ++side) {
       node.child[side] = children[side];
       for (int k = 0; k < 3; ++k) {
@@ -78,9 +79,13 @@ class BoxTree::Builder {
     return number;
   }
 
+  Box3 boxAt(std::uint32_t number) const {
+    return {boxes_[number].min.template cast<double>(), boxes_[number].max.template cast<double>()};
+  }
+
   std::uint32_t split(std::uint32_t first, std::uint32_t last) {
     Box3 centers;
-    for (std::uint32_t i = first; i < last; ++i) centers.extend(boxes_[tree_.order_[i]].center());
+    for (std::uint32_t i = first; i < last; ++i) centers.extend(boxAt(tree_.order_[i]).center());
     int axis = 0;
     centers.size().maxCoeff(&axis);
     const std::uint32_t half = first + (last - first) / 2;
@@ -88,7 +93,8 @@ class BoxTree::Builder {
     if (!(width > 0.0)) return half;
     const double scale = kBins / width;
     const auto binOf = [&](std::uint32_t i) {
-      const double center = 0.5 * (boxes_[i].min[axis] + boxes_[i].max[axis]);
+      const double center =
+          0.5 * (static_cast<double>(boxes_[i].min[axis]) + static_cast<double>(boxes_[i].max[axis]));
       return std::min(kBins - 1, static_cast<int>((center - low) * scale));
     };
     const int border = bestBorder(first, last, binOf);
@@ -107,7 +113,7 @@ class BoxTree::Builder {
     for (std::uint32_t i = first; i < last; ++i) {
       const std::uint32_t number = tree_.order_[i];
       const int bin = binOf(number);
-      box[bin].extend(boxes_[number]);
+      box[bin].extend(boxAt(number));
       ++count[bin];
     }
     std::array<double, kBins> cost{};  // of the bins from here on
@@ -135,10 +141,22 @@ class BoxTree::Builder {
   }
 
   BoxTree& tree_;
-  const std::vector<Box3>& boxes_;
+  const std::vector<Box>& boxes_;
+  /// For as many as there may be; the system gives memory for those only that are written.
+  std::unique_ptr<Node[]> nodes_;
   std::atomic<std::uint32_t> used_{0};
 };
 
-BoxTree::BoxTree(const std::vector<Box3>& boxes) { Builder(*this, boxes).run(); }
+ShortBox ShortBox::around(const Box3& box) {
+  ShortBox out{toFloat(box.min), toFloat(box.max)};
+  for (int k = 0; k < 3; ++k) {
+    if (out.min[k] > box.min[k]) out.min[k] = below(box.min[k]);
+    if (out.max[k] < box.max[k]) out.max[k] = above(box.max[k]);
+  }
+  return out;
+}
+
+BoxTree::BoxTree(const std::vector<Box3>& boxes) { Builder<Box3>(*this, boxes).run(); }
+BoxTree::BoxTree(const std::vector<ShortBox>& boxes) { Builder<ShortBox>(*this, boxes).run(); }
 
 }  // namespace proveout

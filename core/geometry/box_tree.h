@@ -9,12 +9,20 @@
 
 namespace proveout {
 
+/// A box with corners in single precision, mm: half the memory where there are very many.
+struct ShortBox {
+  Eigen::Vector3f min, max;
+  /// Rounded outwards where single precision does not hold the corners.
+  static ShortBox around(const Box3& box);
+};
+
 /// Binary; leaves hold up to four boxes. Halved where the sum of "surface of the bounds times count" is
 /// least. Does not depend on the number of threads but for the numbers of its nodes.
 class BoxTree {
  public:
   BoxTree() = default;
   explicit BoxTree(const std::vector<Box3>& boxes);
+  explicit BoxTree(const std::vector<ShortBox>& boxes);
 
   /// Two children: their bounds, rounded outwards, and what they are.
   struct Node {
@@ -80,6 +88,7 @@ class BoxTree {
   }
 
  private:
+  template <typename Box>
   class Builder;
   static constexpr std::uint32_t kCountBits = 3;
 

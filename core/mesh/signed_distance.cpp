@@ -30,75 +30,76 @@ constexpr double kOnSurface = 1e-9;
 }  // namespace
 
 SignedDistance::SignedDistance(const SurfaceMesh& mesh, double sure_mm)
-    : mesh_(mesh), sure_mm_(sure_mm), tree_(mesh) {
-  computeNormals();
-  findNeighbours();
-  doubtFolds();
+    : mesh_(mesh), sure_mm_(sure_mm), normals_(mesh), tree_(mesh) {}
+
+SignedDistance::Normals::Normals(const SurfaceMesh& mesh) {
+  compute(mesh);
+  findNeighbours(mesh);
+  doubtFolds(mesh);
 }
 
-void SignedDistance::computeNormals() {
-  face_normal_.assign(mesh_.triangles.size(), Eigen::Vector3f::Zero());
-  vertex_normal_.assign(mesh_.points.size(), Eigen::Vector3f::Zero());
-  std::vector<char> doubtful(mesh_.points.size(), 0);
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    const auto& v = mesh_.triangles[t];
-    const std::array<Vec3, 3> p = {mesh_.points[v[0]], mesh_.points[v[1]], mesh_.points[v[2]]};
-    const Vec3 normal = mesh_.areaVector(t);
+void SignedDistance::Normals::compute(const SurfaceMesh& mesh) {
+  of_face.assign(mesh.triangles.size(), Eigen::Vector3f::Zero());
+  of_vertex.assign(mesh.points.size(), Eigen::Vector3f::Zero());
+  std::vector<char> doubtful(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& v = mesh.triangles[t];
+    const std::array<Vec3, 3> p = {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+    const Vec3 normal = mesh.areaVector(t);
     const double longest = std::max({(p[1] - p[0]).norm(), (p[2] - p[1]).norm(), (p[0] - p[2]).norm()});
     if (normal.norm() <= kSliverHeight * longest) {
       for (const auto i : v) doubtful[i] = 1;
       continue;
     }
     const Vec3 unit = normal.normalized();
-    face_normal_[t] = toFloat(unit);
+    of_face[t] = toFloat(unit);
     for (int c = 0; c < 3; ++c) {
       const Vec3 e = p[(c + 1) % 3] - p[c], f = p[(c + 2) % 3] - p[c];
-      vertex_normal_[v[c]] += toFloat(unit * std::atan2(e.cross(f).norm(), e.dot(f)));
+      of_vertex[v[c]] += toFloat(unit * std::atan2(e.cross(f).norm(), e.dot(f)));
     }
   }
   for (std::size_t i = 0; i < doubtful.size(); ++i) {
-    if (doubtful[i]) vertex_normal_[i].setZero();
+    if (doubtful[i]) of_vertex[i].setZero();
   }
 }
 
-void SignedDistance::findNeighbours() {
-  neighbour_.assign(3 * mesh_.triangles.size(), TriangleTree::kNone);
-  const EdgeTable edges(mesh_.points.size(), mesh_.triangles);
+void SignedDistance::Normals::findNeighbours(const SurfaceMesh& mesh) {
+  neighbour.assign(3 * mesh.triangles.size(), TriangleTree::kNone);
+  const EdgeTable edges(mesh.points.size(), mesh.triangles);
   edges.forEachEdge([&](std::uint32_t low, const HalfEdge* first, const HalfEdge* last) {
     if (last - first == 2) {
-      neighbour_[first[0].half_edge] = first[1].half_edge / 3;
-      neighbour_[first[1].half_edge] = first[0].half_edge / 3;
+      neighbour[first[0].half_edge] = first[1].half_edge / 3;
+      neighbour[first[1].half_edge] = first[0].half_edge / 3;
     } else {
-      vertex_normal_[low].setZero();
-      vertex_normal_[first->other].setZero();
+      of_vertex[low].setZero();
+      of_vertex[first->other].setZero();
     }
   });
 }
 
 /// Takes the normals away where the mesh folds back: of the triangles there and of their vertices.
-void SignedDistance::doubtFolds() {
+void SignedDistance::Normals::doubtFolds(const SurfaceMesh& mesh) {
   std::vector<std::uint32_t> folded;
-  for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    for (int c = 0; c < 3; ++c) {
-      const std::uint32_t other = neighbour(t, c);
-      if (other != TriangleTree::kNone && face_normal_[t].dot(face_normal_[other]) < kFold)
-        folded.push_back(t);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::uint32_t c = 0; c < 3; ++c) {
+      const std::uint32_t other = neighbour[3 * t + c];
+      if (other != TriangleTree::kNone && of_face[t].dot(of_face[other]) < kFold) folded.push_back(t);
     }
   }
   for (const std::uint32_t t : folded) {
-    face_normal_[t].setZero();
-    for (const auto v : mesh_.triangles[t]) vertex_normal_[v].setZero();
+    of_face[t].setZero();
+    for (const auto v : mesh.triangles[t]) of_vertex[v].setZero();
   }
 }
 
 Vec3 SignedDistance::featureNormal(std::uint32_t triangle, int part) const {
-  if (part == kFacePart) return face_normal_[triangle].cast<double>();
+  if (part == kFacePart) return normals_.of_face[triangle].cast<double>();
   if (part < 3)
-    return vertex_normal_[mesh_.triangles[triangle][static_cast<std::size_t>(part)]].cast<double>();
+    return normals_.of_vertex[mesh_.triangles[triangle][static_cast<std::size_t>(part)]].cast<double>();
   const std::uint32_t other = neighbour(triangle, part - 3);
-  if (other == TriangleTree::kNone || face_normal_[triangle].isZero() || face_normal_[other].isZero())
+  if (other == TriangleTree::kNone || normals_.of_face[triangle].isZero() || normals_.of_face[other].isZero())
     return Vec3::Zero();
-  return (face_normal_[triangle] + face_normal_[other]).cast<double>();
+  return (normals_.of_face[triangle] + normals_.of_face[other]).cast<double>();
 }
 
 SurfaceDistance SignedDistance::at(const Vec3& point, const Known* known) const {

@@ -41,7 +41,7 @@ class SignedDistance {
   const TriangleTree& tree() const { return tree_; }
   /// The triangle beyond edge `corner` (to the next corner) of a triangle; kNone where it is not just one.
   std::uint32_t neighbour(std::uint32_t triangle, int corner) const {
-    return neighbour_[3 * triangle + static_cast<std::uint32_t>(corner)];
+    return normals_.neighbour[3 * triangle + static_cast<std::uint32_t>(corner)];
   }
 
  private:
@@ -52,18 +52,22 @@ class SignedDistance {
     SurfaceDistance distance;
   };
   SurfaceDistance at(const Vec3& point, const Known* known) const;
-  void computeNormals();
-  void findNeighbours();
-  void doubtFolds();
+  struct Normals {
+    explicit Normals(const SurfaceMesh& mesh);
+    void compute(const SurfaceMesh& mesh);
+    void findNeighbours(const SurfaceMesh& mesh);
+    void doubtFolds(const SurfaceMesh& mesh);
+    // In float: their sides are told to a thousandth, and there is one a triangle.
+    std::vector<Eigen::Vector3f> of_face;    ///< unit; zero: not to be trusted
+    std::vector<Eigen::Vector3f> of_vertex;  ///< angle-weighted, not unit; zero: not to be trusted
+    std::vector<std::uint32_t> neighbour;    ///< per half-edge: the triangle beyond
+  };
   Vec3 featureNormal(std::uint32_t triangle, int part) const;
 
   const SurfaceMesh& mesh_;
   double sure_mm_;
+  Normals normals_;  ///< before the tree: the table of edges that they take is gone when that is made
   TriangleTree tree_;
-  // In float: their sides are told to a thousandth, and there is one a triangle.
-  std::vector<Eigen::Vector3f> face_normal_;    ///< unit; zero: not to be trusted
-  std::vector<Eigen::Vector3f> vertex_normal_;  ///< angle-weighted, not unit; zero: not to be trusted
-  std::vector<std::uint32_t> neighbour_;        ///< per half-edge: the triangle beyond
 };
 
 }  // namespace proveout

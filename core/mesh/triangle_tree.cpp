@@ -57,10 +57,13 @@ bool rayMeets(const BoxTree::Node& node, int side, const Vec3& p, const Vec3& in
   return from <= to * (1.0 + kOutwards);
 }
 
-std::vector<Box3> boxesOf(const SurfaceMesh& mesh) {
-  std::vector<Box3> boxes(mesh.triangles.size());
+/// Rounded outwards.
+std::vector<ShortBox> boxesOf(const SurfaceMesh& mesh) {
+  std::vector<ShortBox> boxes(mesh.triangles.size());
   parallelFor(std::size_t{0}, boxes.size(), [&](std::size_t t) {
-    for (const auto v : mesh.triangles[t]) boxes[t].extend(mesh.points[v]);
+    Box3 box;
+    for (const auto v : mesh.triangles[t]) box.extend(mesh.points[v]);
+    boxes[t] = ShortBox::around(box);
   });
   return boxes;
 }
@@ -89,7 +92,8 @@ TrianglePoint nearestOfTriangle(const Vec3& p, const Vec3& a, const Vec3& b, con
 TriangleTree::TriangleTree(const SurfaceMesh& mesh)
     : boxes_(boxesOf(mesh)), place_of_(mesh.triangles.size()) {
   keepCorners(mesh);
-  findDipoles(mesh);
+  dipoles_.resize(2 * boxes_.nodes().size());
+  findDipoles(mesh, boxes_.root());
 }
 
 void TriangleTree::keepCorners(const SurfaceMesh& mesh) {
@@ -98,13 +102,14 @@ void TriangleTree::keepCorners(const SurfaceMesh& mesh) {
   if (are_short) {
     short_corners_.resize(mesh.triangles.size());
   } else {
-    corners_.resize(mesh.triangles.size());
+    points_ = mesh.points;
+    vertices_.resize(mesh.triangles.size());
   }
   parallelFor(std::size_t{0}, mesh.triangles.size(), [&](std::size_t i) {
     const auto& v = mesh.triangles[boxes_.order()[i]];
     place_of_[boxes_.order()[i]] = static_cast<std::uint32_t>(i);
     if (!are_short) {
-      corners_[i] = {mesh.points[v[0]], mesh.points[v[1]], mesh.points[v[2]]};
+      vertices_[i] = v;
       return;
     }
     for (std::size_t k = 0; k < 9; ++k)
@@ -112,43 +117,39 @@ void TriangleTree::keepCorners(const SurfaceMesh& mesh) {
   });
 }
 
-void TriangleTree::findDipoles(const SurfaceMesh& mesh) {
-  struct Sum {
-    Vec3 normal = Vec3::Zero(), moment = Vec3::Zero();  // of area vectors, and of area times middle
-    double area = 0.0;
-  };
-  const auto& nodes = boxes_.nodes();
-  std::vector<Sum> sums(nodes.size());
-  dipoles_.resize(2 * nodes.size());
-  for (std::size_t n = nodes.size(); n-- > 0;) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      const std::uint32_t child = nodes[n].child[side];
-      Sum group;
-      if (!BoxTree::isLeaf(child)) group = sums[child];
-      for (std::uint32_t i = BoxTree::leafBegin(child); BoxTree::isLeaf(child) && i < BoxTree::leafEnd(child);
-           ++i) {
-        const Vec3 area = 0.5 * mesh.areaVector(boxes_.order()[i]);
-        group.normal += area;
-        group.area += area.norm();
-        group.moment += area.norm() * mesh.middle(boxes_.order()[i]);
-      }
-      sums[n].normal += group.normal;
-      sums[n].moment += group.moment;
-      sums[n].area += group.area;
-      Vec3 low, high;
-      for (int k = 0; k < 3; ++k) {
-        low[k] = nodes[n].low[side][k];
-        high[k] = nodes[n].high[side][k];
-      }
-      const Vec3 center = group.area > 0.0 ? Vec3(group.moment / group.area) : Vec3(0.5 * (low + high));
-      Dipole& dipole = dipoles_[2 * n + side];
-      for (int k = 0; k < 3; ++k) {
-        dipole.center[k] = toFloat(center[k]);
-        dipole.normal[k] = toFloat(group.normal[k]);
-      }
-      dipole.reach = toFloat(kFar * (high - center).cwiseMax(center - low).norm());
+TriangleTree::AreaSum TriangleTree::findDipoles(const SurfaceMesh& mesh, std::uint32_t child) {
+  AreaSum sum;
+  if (BoxTree::isLeaf(child)) {
+    for (std::uint32_t i = BoxTree::leafBegin(child); i < BoxTree::leafEnd(child); ++i) {
+      const Vec3 area = 0.5 * mesh.areaVector(boxes_.order()[i]);
+      sum.add({area, area.norm() * mesh.middle(boxes_.order()[i]), area.norm()});
     }
+    return sum;
   }
+  const BoxTree::Node& node = boxes_.nodes()[child];
+  for (std::size_t side = 0; side < 2; ++side) {
+    const AreaSum group = findDipoles(mesh, node.child[side]);
+    sum.add(group);
+    dipoles_[2 * child + side] = dipoleOf(group, node, side);
+  }
+  return sum;
+}
+
+TriangleTree::Dipole TriangleTree::dipoleOf(const AreaSum& group, const BoxTree::Node& node,
+                                            std::size_t side) {
+  Vec3 low, high;
+  for (int k = 0; k < 3; ++k) {
+    low[k] = node.low[side][k];
+    high[k] = node.high[side][k];
+  }
+  const Vec3 center = group.area > 0.0 ? Vec3(group.moment / group.area) : Vec3(0.5 * (low + high));
+  Dipole dipole;
+  for (int k = 0; k < 3; ++k) {
+    dipole.center[k] = toFloat(center[k]);
+    dipole.normal[k] = toFloat(group.normal[k]);
+  }
+  dipole.reach = toFloat(kFar * (high - center).cwiseMax(center - low).norm());
+  return dipole;
 }
 
 void TriangleTree::tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const {

@@ -78,21 +78,38 @@ class TriangleTree {
     Vec3 a, b, c;
   };
   Corners cornersAt(std::uint32_t place) const {
-    if (short_corners_.empty()) return corners_[place];
+    if (short_corners_.empty()) {
+      const auto& v = vertices_[place];
+      return {points_[v[0]], points_[v[1]], points_[v[2]]};
+    }
     const std::array<float, 9>& s = short_corners_[place];
     return {Vec3(s[0], s[1], s[2]), Vec3(s[3], s[4], s[5]), Vec3(s[6], s[7], s[8])};
   }
+  /// Of a group: area vectors, area times middle, and area.
+  struct AreaSum {
+    Vec3 normal = Vec3::Zero(), moment = Vec3::Zero();
+    double area = 0.0;
+    void add(const AreaSum& more) {
+      normal += more.normal;
+      moment += more.moment;
+      area += more.area;
+    }
+  };
   void keepCorners(const SurfaceMesh& mesh);
-  void findDipoles(const SurfaceMesh& mesh);
+  /// Of all nodes below a child. Returns what that holds.
+  AreaSum findDipoles(const SurfaceMesh& mesh, std::uint32_t child);
+  static Dipole dipoleOf(const AreaSum& group, const BoxTree::Node& node, std::size_t side);
   std::optional<int> crossingsAlong(const Vec3& p, const Vec3& direction) const;
   void tryPlace(std::uint32_t place, const Vec3& p, Nearest& best) const;
 
   BoxTree boxes_;
   std::vector<Dipole> dipoles_;          ///< two a node
   std::vector<std::uint32_t> place_of_;  ///< of each triangle in the tree's order
-  // In that order; in single precision where that holds all points of the mesh, as those of files.
-  std::vector<Corners> corners_;
-  std::vector<std::array<float, 9>> short_corners_;  ///< in place of corners_
+  /// Corners in that order where single precision holds all points of the mesh, as those of files.
+  std::vector<std::array<float, 9>> short_corners_;
+  // Else the points, and which of them are corners: a third of the memory of the corners themselves.
+  std::vector<Vec3> points_;
+  std::vector<std::array<std::uint32_t, 3>> vertices_;
 };
 
 }  // namespace proveout

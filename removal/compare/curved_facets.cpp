@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace proveout::shape_detail {
@@ -61,19 +62,32 @@ std::vector<float> CurvedFacets::doubts() const {
   return doubt;
 }
 
+void CurvedFacets::gatherLinks() {
+  const auto isCrossed = [](const Link& l) { return l.plausible() && l.alike(); };
+  first_link_.assign(facets_.mesh.triangles.size() + 1, 0);
+  for (const Link& l : links_) {
+    if (!isCrossed(l)) continue;
+    ++first_link_[l.a];
+    ++first_link_[l.b];
+  }
+  // From the ends: what is put in moves them to the begins.
+  std::partial_sum(first_link_.begin(), first_link_.end(), first_link_.begin());
+  link_of_.resize(first_link_.back());
+  for (std::size_t i = links_.size(); i-- > 0;) {
+    if (!isCrossed(links_[i])) continue;
+    for (const std::uint32_t f : {links_[i].a, links_[i].b})
+      link_of_[--first_link_[f]] = static_cast<std::uint32_t>(i);
+  }
+}
+
 /// False where no facet is curved.
 bool CurvedFacets::findCurved() {
   curved_.assign(facets_.mesh.triangles.size(), 0);
   turn_.assign(facets_.mesh.triangles.size(), 0.0);
-  links_of_.assign(facets_.mesh.triangles.size(), {});
-  for (std::uint32_t i = 0; i < links_.size(); ++i) {
-    if (!links_[i].plausible() || !links_[i].alike()) continue;
-    links_of_[links_[i].a].push_back(i);
-    links_of_[links_[i].b].push_back(i);
-  }
+  gatherLinks();
   bool any = false;
-  for (std::uint32_t f = 0; f < links_of_.size(); ++f) {
-    const std::vector<std::uint32_t>& own = links_of_[f];
+  for (std::uint32_t f = 0; f < curved_.size(); ++f) {
+    const std::span<const std::uint32_t> own = linksOf(f);
     for (std::size_t i = 0; i < own.size(); ++i) {
       for (std::size_t j = i + 1; j < own.size(); ++j) {
         Link &l = links_[own[i]], &m = links_[own[j]];
@@ -96,7 +110,8 @@ bool CurvedFacets::findCurved() {
 /// Facets with all the borders that a curved face crosses in about one direction.
 void CurvedFacets::findStraight() {
   straight_of_.assign(facets_.mesh.triangles.size(), kNobody);
-  for (std::uint32_t f = 0; f < links_of_.size(); ++f) {
+  straight_.reserve(static_cast<std::size_t>(std::ranges::count(curved_, 1)));
+  for (std::uint32_t f = 0; f < curved_.size(); ++f) {
     const Straight found = curved_[f] ? straightBy(f) : Straight();
     if (found.along.isZero()) continue;
     straight_of_[f] = static_cast<std::uint32_t>(straight_.size());
@@ -112,12 +127,29 @@ void CurvedFacets::findStraight() {
       s.high = s.high.max(at);
     }
   }
+  dropShort();
+}
+
+/// Keeps those that are long enough: few, where faces curve in both directions.
+void CurvedFacets::dropShort() {
+  std::uint32_t kept = 0;
+  for (std::uint32_t& number : straight_of_) {
+    if (number == kNobody) continue;
+    if (straight_[number].holds()) {
+      straight_[kept] = straight_[number];  // their numbers ascend
+      number = kept++;
+    } else {
+      number = kNobody;
+    }
+  }
+  straight_.resize(kept);
+  straight_.shrink_to_fit();
 }
 
 Straight CurvedFacets::straightBy(std::uint32_t facet) const {
   Straight out;
   Vec3 sum = Vec3::Zero();
-  for (const std::uint32_t i : links_of_[facet]) {
+  for (const std::uint32_t i : linksOf(facet)) {
     const Link& l = links_[i];
     if (!l.runs) continue;
     sum += sum.dot(l.along) < 0.0 ? -l.along : l.along;
@@ -127,7 +159,7 @@ Straight CurvedFacets::straightBy(std::uint32_t facet) const {
   const Vec3& normal = facets_.normals[facet];  // facets of several triangles have one: slivers join nobody
   if (normal.isZero()) return out;
   sum = (sum - sum.dot(normal) * normal).normalized();
-  for (const std::uint32_t i : links_of_[facet]) {
+  for (const std::uint32_t i : linksOf(facet)) {
     if (links_[i].runs && std::abs(links_[i].along.dot(sum)) < kStraight) return out;
   }
   out.along = sum;
@@ -153,7 +185,7 @@ void CurvedFacets::endAtCreases() {
 /// How much a facet turns against others in the direction across a border of its own; 0: nothing is known.
 double CurvedFacets::turnAcross(std::uint32_t facet, const Link& border) const {
   double most = 0.0;
-  for (const std::uint32_t i : links_of_[facet]) {
+  for (const std::uint32_t i : linksOf(facet)) {
     const Link& l = links_[i];
     const bool across = facets_.triangles[facet] == 1 || parallel(l, border);
     if (&l != &border && l.runs && across) most = std::max(most, std::abs(l.turn));

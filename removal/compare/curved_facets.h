@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "removal/compare/mesh_facets.h"
@@ -41,9 +42,7 @@ class CurvedFacets {
   const Link* linkOf(std::uint32_t a, std::uint32_t b) const;
   /// The facet as straight in one direction; null where it is not.
   const Straight* straight(std::uint32_t facet) const {
-    return straight_of_[facet] == kNobody || !straight_[straight_of_[facet]].holds()
-               ? nullptr
-               : &straight_[straight_of_[facet]];
+    return straight_of_[facet] == kNobody ? nullptr : &straight_[straight_of_[facet]];
   }
   bool isStrip(std::uint32_t facet) const {
     return facets_.triangles[facet] > 1 && straight(facet) != nullptr;
@@ -56,17 +55,23 @@ class CurvedFacets {
   std::uint32_t leadingOf(std::uint32_t a, std::uint32_t b) const;
 
  private:
+  void gatherLinks();
+  /// Those that a curved face could cross, by their numbers.
+  std::span<const std::uint32_t> linksOf(std::uint32_t facet) const {
+    return std::span(link_of_).subspan(first_link_[facet], first_link_[facet + 1] - first_link_[facet]);
+  }
   bool findCurved();
   void findStraight();
+  void dropShort();
   Straight straightBy(std::uint32_t facet) const;
   void endAtCreases();
   double turnAcross(std::uint32_t facet, const Link& border) const;
 
   const MeshFacets& facets_;
   std::vector<Link> links_;
-  std::vector<std::vector<std::uint32_t>> links_of_;  ///< per facet: those that a curved face could cross
-  std::vector<char> curved_;                          ///< per facet
-  std::vector<std::uint32_t> straight_of_;            ///< per facet: its place in straight_, or kNobody
+  std::vector<std::uint32_t> link_of_, first_link_;  ///< facet by facet, and where in that each facet's begin
+  std::vector<char> curved_;                         ///< per facet
+  std::vector<std::uint32_t> straight_of_;           ///< per facet: its place in straight_, or kNobody
   std::vector<Straight> straight_;
   std::vector<double> turn_;
   bool any_ = false;

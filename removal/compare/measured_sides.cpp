@@ -55,7 +55,6 @@ class Measurer {
   bool run(BothSides& out) {
     sides_ = &out;
     start(out.machined, part_);
-    start(out.nominal, goal_);
     if (!measureMachined() || !measureNominal()) return false;
     if (o_.part == nullptr) return true;
     for (const double sign : {1.0, -1.0}) {
@@ -123,11 +122,12 @@ class Measurer {
 
   bool measureNominal() {
     const std::vector<Vec3>& points = goal_.surface.points;
-    const SignedDistance to_machined(part_.surface, 0.5 * o_.resolution_mm);
-    to_machined_ = to_machined.at(points, progress_, 0.5, 0.75);
+    to_machined_ = SignedDistance(part_.surface, 0.5 * o_.resolution_mm).at(points, progress_, 0.5, 0.75);
+    start(sides_->nominal, goal_);
     if (to_machined_.empty()) return points.empty();
     bulges_ = bulgesOfSamples();
-    PROVEOUT_ASSERT(to_machined_.size() == points.size() && (bulges_.empty() || bulges_.size() == points.size()));
+    PROVEOUT_ASSERT(to_machined_.size() == points.size() &&
+                    (bulges_.empty() || bulges_.size() == points.size()));
     return forEachPoint(points.size(), progress_, 0.75, 0.95, [&](std::size_t i) { tellNominal(i, false); });
   }
 

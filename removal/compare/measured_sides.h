@@ -33,11 +33,11 @@ struct BothSides {
 /// The nominal as it is asked.
 struct NominalModel {
   NominalModel(const TriMesh& mesh, double sure_mm)
-      : surface(toSurface(mesh)), distance(surface, sure_mm), shape(distance) {}
+      : surface(toSurface(mesh)), shape(surface, distance), distance(surface, sure_mm) {}
   NominalModel(const NominalModel&) = delete;
   SurfaceMesh surface;
+  NominalShape shape;  ///< first: it takes most memory while it is made
   SignedDistance distance;
-  NominalShape shape;
 
   /// Deviation of a point of the part, mm; `d`: what distance.at(p) says.
   double deviation(const SurfaceDistance& d, const Vec3& p) const;

@@ -23,7 +23,7 @@ constexpr double kDoubtShare = 1.2;
 }  // namespace
 
 double NominalShape::largestOf(std::uint32_t t) const {
-  double largest = std::abs(at(t, surface_.mesh().middle(t)));
+  double largest = std::abs(at(t, mesh_.middle(t)));
   for (std::size_t c = 0; c < 3; ++c) {
     const float middle = 0.5f * (bulge_[t][c] + bulge_[t][(c + 1) % 3]) + bulge_[t][3 + c];
     largest = std::max(largest, static_cast<double>(std::abs(middle)));
@@ -47,18 +47,18 @@ double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double 
   add(triangle);
   const double own = largest;
   if (own > 0.0 || misfit > 0.0) {
-    for (const std::uint32_t v : surface_.mesh().triangles[triangle]) {
+    for (const std::uint32_t v : mesh_.triangles[triangle]) {
       largest = std::max(largest, static_cast<double>(around_[v][0]));
       misfit = std::max(misfit, static_cast<double>(around_[v][1]));
     }
   }
   // Beside another face what that one is cut of counts: the pieces left at the border tell little themselves.
-  const Vec3 normal = surface_.mesh().areaVector(triangle).normalized();
-  surface_.tree().forEachIn(
+  const Vec3 normal = mesh_.areaVector(triangle).normalized();
+  distance_.tree().forEachIn(
       {place - Vec3::Constant(reach), place + Vec3::Constant(reach)}, [&](std::uint32_t t) {
         add(t);
-        if (around_.empty() || surface_.mesh().areaVector(t).normalized().dot(normal) > kSameFace) return;
-        for (const std::uint32_t v : surface_.mesh().triangles[t])
+        if (around_.empty() || mesh_.areaVector(t).normalized().dot(normal) > kSameFace) return;
+        for (const std::uint32_t v : mesh_.triangles[t])
           largest = std::max(largest, static_cast<double>(around_[v][0]));
       });
   const double most = kMisread * largest;
@@ -68,8 +68,8 @@ double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double 
                   kDoubtShare * doubt);
 }
 
-NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
-  const SurfaceMesh& mesh = surface.mesh();
+NominalShape::NominalShape(const SurfaceMesh& mesh, const SignedDistance& distance)
+    : mesh_(mesh), distance_(distance) {
   shape_detail::ShapeReading reading = shape_detail::readShape(mesh);
   bulge_ = std::move(reading.bulge);
   doubt_ = std::move(reading.doubt);
@@ -91,21 +91,20 @@ NominalShape::NominalShape(const SignedDistance& surface) : surface_(surface) {
 }
 
 void NominalShape::lookAround() {
-  const SurfaceMesh& mesh = surface_.mesh();
   const auto raise = [](std::array<float, 2>& most, const std::array<float, 2>& by) {
     most = {std::max(most[0], by[0]), std::max(most[1], by[1])};
   };
-  std::vector<std::array<float, 2>> of(mesh.triangles.size());
+  std::vector<std::array<float, 2>> of(mesh_.triangles.size());
   for (std::uint32_t t = 0; t < of.size(); ++t) of[t] = {static_cast<float>(largestOf(t)), misfit_[t]};
   constexpr int kRings = 2;
   for (int ring = 0; ring < kRings; ++ring) {
-    around_.assign(mesh.points.size(), {0.0f, 0.0f});
+    around_.assign(mesh_.points.size(), {0.0f, 0.0f});
     for (std::uint32_t t = 0; t < of.size(); ++t) {
-      for (const std::uint32_t v : mesh.triangles[t]) raise(around_[v], of[t]);
+      for (const std::uint32_t v : mesh_.triangles[t]) raise(around_[v], of[t]);
     }
     for (std::uint32_t t = 0; t < of.size(); ++t) {
       if (of[t][0] == 0.0f && of[t][1] == 0.0f) continue;  // a flat face between two rounds joins nothing
-      for (const std::uint32_t v : mesh.triangles[t]) raise(of[t], around_[v]);
+      for (const std::uint32_t v : mesh_.triangles[t]) raise(of[t], around_[v]);
     }
   }
 }
@@ -113,11 +112,10 @@ void NominalShape::lookAround() {
 double NominalShape::at(std::uint32_t triangle, const Vec3& point) const {
   const auto& b = bulge_[triangle];
   if (b == std::array<float, 6>{}) return 0.0;
-  const SurfaceMesh& mesh = surface_.mesh();
-  const auto& v = mesh.triangles[triangle];
-  const Vec3 normal = mesh.areaVector(triangle);
+  const auto& v = mesh_.triangles[triangle];
+  const Vec3 normal = mesh_.areaVector(triangle);
   const auto share = [&](int c) {  // barycentric
-    const Vec3 &p = mesh.points[v[(c + 1) % 3]], &q = mesh.points[v[(c + 2) % 3]];
+    const Vec3 &p = mesh_.points[v[(c + 1) % 3]], &q = mesh_.points[v[(c + 2) % 3]];
     return std::clamp((p - point).cross(q - point).dot(normal) / normal.squaredNorm(), 0.0, 1.0);
   };
   const double s[3] = {share(0), share(1), share(2)};
@@ -136,7 +134,7 @@ Bulge NominalShape::at(const SurfaceDistance& nearest, const Vec3& place) const 
   };
   add(nearest.triangle);
   if (nearest.part >= 3 && nearest.part < kFacePart) {
-    const std::uint32_t other = surface_.neighbour(nearest.triangle, nearest.part - 3);
+    const std::uint32_t other = distance_.neighbour(nearest.triangle, nearest.part - 3);
     if (other != TriangleTree::kNone) add(other);
   }
   return out;

@@ -30,8 +30,9 @@ struct Bulge {
 /// exporter's are read as flats, but in doubt: unsureAt() holds the round that they could stand for.
 class NominalShape {
  public:
-  /// `surface` must outlive this; closed, manifold but for edges that solids share.
-  explicit NominalShape(const SignedDistance& surface);
+  /// Both must outlive this: a mesh that is closed, manifold but for edges that solids share, and distances
+  /// to it, which are asked later only and may be made then: reading takes most memory as long as it goes on.
+  NominalShape(const SurfaceMesh& mesh, const SignedDistance& distance);
 
   /// At a place that SignedDistance::at found.
   Bulge at(const SurfaceDistance& nearest, const Vec3& place) const;
@@ -56,7 +57,8 @@ class NominalShape {
   double largestOf(std::uint32_t triangle) const;
   void lookAround();
 
-  const SignedDistance& surface_;
+  const SurfaceMesh& mesh_;
+  const SignedDistance& distance_;
   /// Per triangle: of its corners, and how much more the middles of its edges have than the mean of their
   /// ends.
   std::vector<std::array<float, 6>> bulge_;

@@ -30,11 +30,14 @@ class ShapeReader {
     ShapeReading out;
     const std::size_t size = facets_.mesh.triangles.size();
     std::vector<std::array<float, 6>>& bulge = out.bulge;
-    bulge.assign(size, std::array<float, 6>{});
     out.doubt = curves_.doubts();
+    if (curves_.any()) {
+      gatherNormals();
+      findChords();
+      leaving_ = arriving_ = {};  // asked no more
+    }
+    bulge.assign(size, std::array<float, 6>{});
     if (!curves_.any()) return out;
-    gatherNormals();
-    findChords();
     for (std::uint32_t t = 0; t < size; ++t) {
       if (!curves_.curved(facets_.facet_of[t])) continue;
       for (std::uint32_t c = 0; c < 3; ++c) {
@@ -65,7 +68,7 @@ class ShapeReader {
         if (leads != kNobody) leading.emplace_back(corner(g / 3, vertex), leads);
       }
     });
-    numberFans(joined);
+    numberFans(std::move(joined));
     for (const auto& [at, facet] : leading) fans_[fanOf(at)].leading.push_back(facet);
     for (std::uint32_t corner = 0; corner < fan_of_.size(); ++corner) {
       if (facets_.normals[corner / 3].isZero()) continue;
@@ -79,7 +82,7 @@ class ShapeReader {
   }
 
   /// A fan has many corners, and much is kept of it: so it has a number of its own.
-  void numberFans(DisjointSets& joined) {
+  void numberFans(DisjointSets joined) {
     constexpr std::uint32_t kOpen = kNobody;
     fan_of_.assign(3 * facets_.mesh.triangles.size(), kOpen);
     std::uint32_t count = 0;
@@ -105,36 +108,38 @@ class ShapeReader {
     }
   };
 
-  /// An edge of a facet that another facet has too; corners of one triangle.
+  /// An edge of a facet that another facet has too, from a corner of a triangle to its next one.
   struct BorderEdge {
-    std::uint32_t facet, from, to;
+    std::uint32_t facet, from;
+    std::uint32_t to() const { return from % 3 == 2 ? from - 2 : from + 1; }
   };
 
   void findBorders() {
+    leaving_.reserve(fan_of_.size());  // no more than there are; what is not written takes no memory
     facets_.edges.forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
       for (const HalfEdge* e = first; e != last; ++e) {
-        const std::uint32_t t = e->half_edge / 3, c = e->half_edge % 3, facet = facets_.facet_of[t];
+        const std::uint32_t t = e->half_edge / 3, facet = facets_.facet_of[t];
         const auto same = [&](const HalfEdge& o) {
           return &o != e && facets_.facet_of[o.half_edge / 3] == facet;
         };
         if (facets_.normals[t].isZero() || std::any_of(first, last, same)) continue;
-        leaving_.push_back({facet, 3 * t + c, 3 * t + (c + 1) % 3});
+        leaving_.push_back({facet, e->half_edge});
       }
     });
     arriving_ = leaving_;
-    const auto by = [this](std::uint32_t BorderEdge::*end) {
-      return [this, end](const BorderEdge& a, const BorderEdge& b) {
-        return std::pair(a.facet, vertexOf(a.*end)) < std::pair(b.facet, vertexOf(b.*end));
-      };
+    const auto sortBy = [this](std::vector<BorderEdge>& edges, const auto& end) {
+      std::sort(edges.begin(), edges.end(), [&](const BorderEdge& a, const BorderEdge& b) {
+        return std::pair(a.facet, vertexOf(end(a))) < std::pair(b.facet, vertexOf(end(b)));
+      });
     };
-    std::sort(leaving_.begin(), leaving_.end(), by(&BorderEdge::from));
-    std::sort(arriving_.begin(), arriving_.end(), by(&BorderEdge::to));
+    sortBy(leaving_, [](const BorderEdge& e) { return e.from; });
+    sortBy(arriving_, [](const BorderEdge& e) { return e.to(); });
   }
 
   /// The border edge of a facet that leaves a corner's vertex (arrives there); null where it has none.
   const BorderEdge* borderAt(std::uint32_t facet, std::uint32_t corner, bool leaving) const {
     const std::vector<BorderEdge>& edges = leaving ? leaving_ : arriving_;
-    const auto at = [&](const BorderEdge& e) { return vertexOf(leaving ? e.from : e.to); };
+    const auto at = [&](const BorderEdge& e) { return vertexOf(leaving ? e.from : e.to()); };
     const std::pair key(facet, vertexOf(corner));
     const auto found =
         std::lower_bound(edges.begin(), edges.end(), key,
@@ -151,7 +156,7 @@ class ShapeReader {
     for (int i = 0; i < kMostSplits; ++i) {
       const BorderEdge* edge = borderAt(facet, corner, leaving);
       if (edge == nullptr) return end;
-      corner = leaving ? edge->to : edge->from;
+      corner = leaving ? edge->to() : edge->from;
       if (end != kNobody && !aligned(pointOf(corner) - from, pointOf(end) - from)) return end;
       end = corner;
       if (fans_[fanOf(end)].several) return end;

@@ -8,10 +8,10 @@
 namespace proveout {
 namespace {
 
-// Measured on meshes of 12 to 430,000 triangles, with 90,000 to 2,300,000 samples.
+// Measured on meshes of 12 to 5,000,000 triangles, with 90,000 to 2,500,000 samples.
 constexpr double kBaseMb = 34.0;             ///< program, libraries, threads, CGAL's tables
 constexpr double kBytesPerSample = 210.0;    ///< their search trees and deviations
-constexpr double kBytesPerTriangle = 250.0;  ///< of the files: as read, welded, repaired, in a search tree
+constexpr double kBytesPerTriangle = 210.0;  ///< of the files: read as curved faces everywhere
 constexpr double kMostSamples = 1.8e6;       ///< the comparison widens its samples beyond
 constexpr double kBytesPerPixel = 10.0;      ///< two pictures, and a file
 constexpr double kDrawingMb = 27.0;          ///< rows of what pixels show, Embree

@@ -8,6 +8,8 @@
 #include <random>
 #include <set>
 
+#include "core/geometry/to_float.h"
+
 namespace proveout {
 namespace {
 
@@ -43,8 +45,13 @@ TriangleTree::Nearest bruteForce(const SurfaceMesh& mesh, const Vec3& p) {
   return best;
 }
 
-TEST(TriangleTree, FindsTheNearestPointWithAnyHint) {
-  const SurfaceMesh mesh = randomSoup(3000, 5);
+/// With points as files bring them: the tree keeps the corners of such a mesh itself.
+SurfaceMesh inSinglePrecision(SurfaceMesh mesh) {
+  for (Vec3& p : mesh.points) p = toFloat(p).cast<double>();
+  return mesh;
+}
+
+void expectNearest(const SurfaceMesh& mesh) {
   const TriangleTree tree(mesh);
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(-80.0, 80.0);
@@ -63,6 +70,24 @@ TEST(TriangleTree, FindsTheNearestPointWithAnyHint) {
     if (distance < 1e-3) continue;
     EXPECT_EQ(tree.nearest(p, TriangleTree::kNone, 0.999 * distance).triangle, TriangleTree::kNone);
     EXPECT_EQ(tree.nearest(p, TriangleTree::kNone, 1.001 * distance).triangle, expected.triangle);
+  }
+}
+
+TEST(TriangleTree, FindsTheNearestPointWithAnyHint) {
+  expectNearest(randomSoup(3000, 5));
+  expectNearest(inSinglePrecision(randomSoup(3000, 5)));
+}
+
+TEST(BoxTree, ShortBoxesHoldTheBoxesThatTheyStandFor) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(-1e3, 1e3);
+  for (int i = 0; i < 10000; ++i) {
+    const Vec3 p(unit(random), unit(random), unit(random));
+    const ShortBox box = ShortBox::around({p, p});
+    EXPECT_TRUE((box.min.cast<double>().array() <= p.array()).all() &&
+                (box.max.cast<double>().array() >= p.array()).all());
+    const Vec3 low = box.min.cast<double>();  // single precision holds it: nothing is rounded
+    EXPECT_EQ(ShortBox::around({low, low}).max.cast<double>(), low);
   }
 }
 

@@ -34,7 +34,7 @@ struct Told {
 Told read(const Facets& f) {
   const SurfaceMesh points = shapes::surface(f.mesh);
   const SignedDistance distance(points);
-  const NominalShape shape(distance);
+  const NominalShape shape(points, distance);
   Told out;
   out.chord = std::max(shape.largest(), shape.largestDoubt());
   double sum = 0.0, area = 0.0;

@@ -17,7 +17,7 @@ using lofts::Profile;
 using shapes::surface;
 
 struct Reading {
-  explicit Reading(const TriMesh& mesh) : points(surface(mesh)), distance(points), shape(distance) {}
+  explicit Reading(const TriMesh& mesh) : points(surface(mesh)), distance(points), shape(points, distance) {}
   SurfaceMesh points;
   SignedDistance distance;
   NominalShape shape;
