@@ -29,6 +29,7 @@ struct Parsed {
   CoverageOptions coverage;
   ExplainOptions explain;
   TemplateOptions filled;
+  MachineOptions machine;
 };
 
 /// Strict: the whole text is a finite decimal number in (low, high].
@@ -325,6 +326,19 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
   app->footer(kFooter);
 }
 
+void addMachine(CLI::App& root, MachineOptions& o) {
+  CLI::App* app = root.add_subcommand("machine", "Show a machine's axes and reach, or where its tool is");
+  app->add_option("FILE", o.file, "Machine file")->required()->check(notEmpty());
+  app->add_option("--at", o.at, "Positions of the axes: \"X0 Y0 Z100 A30 C60\"; others are at 0")
+      ->type_name("WORDS");
+  CLI::Option* job = app->add_option("--job", o.job, "Job whose zero and tools are taken")->type_name("FILE");
+  app->add_option("--tool", o.tool, "Tool of the job; default: none, the gauge point itself")
+      ->type_name("N")
+      ->needs(job);
+  app->add_option("--picture", o.picture, "Draw the axes, all at 0")->type_name("PNG")->check(notEmpty());
+  app->footer(kFooter);
+}
+
 /// Of a command line that CLI11 refuses: the command or option that there is not, with the nearest one;
 /// empty: something else is wrong.
 std::string unknownWord(CLI::App& app, const std::vector<std::string>& arguments) {
@@ -415,6 +429,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   addExplain(app, parsed.explain);
   addTemplate(app, parsed.filled);
   addRenderAndCoverage(app, parsed.render, parsed.coverage);
+  addMachine(app, parsed.machine);
   try {
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {
@@ -435,6 +450,7 @@ CommandLine parseCommandLine(const std::vector<std::string>& arguments) {
   if (app.got_subcommand("explain")) line.command = std::move(parsed.explain);
   if (app.got_subcommand("template")) line.command = std::move(parsed.filled);
   if (app.got_subcommand("coverage")) line.command = std::move(parsed.coverage);
+  if (app.got_subcommand("machine")) line.command = std::move(parsed.machine);
   return line;
 }
 

@@ -20,10 +20,10 @@ struct ProgramOptions {
   std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)
   std::optional<double> max_time_s;
   bool lenient = false;
-  std::vector<std::string> offsets;          ///< "G55=X,Y,Z", "D1=5"; see applyOffsets
-  std::optional<std::string> program_unit;   ///< "mm", "inch": power-on unit of the control
-  std::optional<std::string> machine;        ///< file with the keys of [machine]
-  bool skip = false;                         ///< block skip switch of `/` on
+  std::vector<std::string> offsets;         ///< "G55=X,Y,Z", "D1=5"; see applyOffsets
+  std::optional<std::string> program_unit;  ///< "mm", "inch": power-on unit of the control
+  std::optional<std::string> machine;       ///< file with the keys of [machine]
+  bool skip = false;                        ///< block skip switch of `/` on
 };
 
 struct RunOptions {
@@ -106,6 +106,14 @@ struct CoverageOptions {
   bool json = false;
 };
 
+struct MachineOptions {
+  std::string file;                    ///< of the machine
+  std::optional<std::string> at;       ///< "X0 Y0 Z100 A30 C60", machine coordinates
+  std::optional<std::string> job;      ///< names the workpiece's zero and the tools
+  std::optional<int> tool;             ///< of the job
+  std::optional<std::string> picture;  ///< PNG
+};
+
 struct TemplateOptions {
   std::string input;                ///< .tmpl, .tmps or .pmc
   std::vector<std::string> values;  ///< "D=40"
@@ -115,8 +123,9 @@ struct TemplateOptions {
   std::optional<std::string> output;
 };
 
-using CommandOptions = std::variant<RunOptions, PathOptions, CheckOptions, CompareCommandOptions,
-                                    RenderCommandOptions, CoverageOptions, ExplainOptions, TemplateOptions>;
+using CommandOptions =
+    std::variant<RunOptions, PathOptions, CheckOptions, CompareCommandOptions, RenderCommandOptions,
+                 CoverageOptions, ExplainOptions, TemplateOptions, MachineOptions>;
 
 /// What to do: a command, or a text to print and an exit code (--help, --version, bad usage).
 struct CommandLine {

@@ -19,6 +19,7 @@ struct Dispatch {
   int operator()(const RenderCommandOptions& o) const { return renderCommand(o, console, progress); }
   int operator()(const ExplainOptions& o) const { return explainCommand(o, console, progress); }
   int operator()(const TemplateOptions& o) const { return templateCommand(o, console, progress); }
+  int operator()(const MachineOptions& o) const { return machineCommand(o, console, progress); }
   int operator()(const CoverageOptions& o) const { return coverageCommand(o, console, progress); }
 };
 

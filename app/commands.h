@@ -14,6 +14,7 @@ int renderCommand(const RenderCommandOptions& options, Console& console, Console
 int explainCommand(const ExplainOptions& options, Console& console, ConsoleProgress& progress);
 int templateCommand(const TemplateOptions& options, Console& console, ConsoleProgress& progress);
 int coverageCommand(const CoverageOptions& options, Console& console, ConsoleProgress& progress);
+int machineCommand(const MachineOptions& options, Console& console, ConsoleProgress& progress);
 
 /// The whole program but for signals: parses, runs, flushes; a result that cannot be written to stdout is an
 /// error.

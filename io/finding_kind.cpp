@@ -58,12 +58,13 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
     {kCycleTime, "cycle_time", kWarning, Check::kOwn, false,
      "a single motion takes more than half an hour, or the motions of a program more than a day"},
     {kDwell, "dwell", kWarning, Check::kOwn, false,
-     "a single dwell takes more than a minute, or all of them more than half a minute and more than the motions"},
+     "a single dwell takes more than a minute, or all of them more than half a minute and more than the "
+     "motions"},
     {kToolChange, "tool_change", kWarning, Check::kOwn, false,
-     "a tool change called without a retract: below the top of the blank or a fixture and beside or in it, or inside "
+     "a tool change called without a retract: below the top of the blank or a fixture and beside or in it, "
+     "or inside "
      "what a turning blank sweeps"},
-    {kDrillSideways, "drill_sideways", kWarning, Check::kOwn, false,
-     "a drill cut sideways through material"},
+    {kDrillSideways, "drill_sideways", kWarning, Check::kOwn, false, "a drill cut sideways through material"},
     {kProgramUnit, "program_unit", kWarning, Check::kOwn, false,
      "the program fits the blank only in the other unit, inch or millimetre"},
     {kPartOff, "part_off", kNote, Check::kOwn, false, "a motion cut a body off"},
@@ -74,6 +75,8 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
     {kNominalPlacement, "nominal_placement", kError, Check::kOwn, false,
      "the nominal does not lie where the part does, and is not compared"},
     {kOvertravel, "overtravel", kError, Check::kOvertravel, false, "an axis left its limits"},
+    {kClampedAxis, "clamped_axis", kError, Check::kOwn, false,
+     "an axis turned in a feed motion that is clamped while a tool cuts, or stood between its teeth"},
     {kForbiddenZone, "forbidden_zone", kError, Check::kProgram, false,
      "an axis would enter an area that the control forbids"},
     {kAlarm, "alarm", kError, Check::kProgram, false, "the control refused the program"},

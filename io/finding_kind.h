@@ -46,6 +46,7 @@ enum class FindingKind : std::uint8_t {
   kNotCompared,
   kNominalPlacement,
   kOvertravel,
+  kClampedAxis,
   kForbiddenZone,
   kAlarm,
   kNoPart,

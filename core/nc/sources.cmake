@@ -15,6 +15,7 @@ target_sources(proveout_core PRIVATE
   nc/specification/wedm_rows.cpp
   nc/specification/wl4_rows.cpp
   nc/kinematics/feed_limits.cpp
+  nc/kinematics/five_axis_model.cpp
   nc/kinematics/frames.cpp
   nc/registry/interpreter.cpp
   nc/text/lex_names.cpp
@@ -31,7 +32,7 @@ target_sources(proveout_core PRIVATE
   nc/control/program_source.cpp
   nc/stages/rapid_overlap_stage.cpp
   nc/stages/rolling_comp_stage.cpp
-  nc/kinematics/rotary_kinematics.cpp
+  nc/kinematics/machine_of.cpp
   nc/text/source_text.cpp
   nc/text/template_set.cpp
   nc/text/template_text.cpp
@@ -106,12 +107,17 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_3.cpp
   nc/nct/coverage/rows_4.cpp
   nc/nct/coverage/rows_5.cpp
+  nc/nct/coverage/rows_6.cpp
   nc/iso/cycles/cycles.cpp
   nc/iso/cycles/pocket.cpp
   nc/iso/cycles/taps.cpp
   nc/iso/frames/frames.cpp
   nc/iso/stages/transform_stage.cpp
   nc/iso/frames/transforms.cpp
+  nc/iso/five_axis/dynamic_zero.cpp
+  nc/iso/five_axis/five_axis.cpp
+  nc/iso/five_axis/machine_data.cpp
+  nc/iso/five_axis/tilt.cpp
   nc/iso/macro/arguments.cpp
   nc/iso/macro/calls.cpp
   nc/iso/model/environment.cpp
@@ -130,12 +136,14 @@ target_sources(proveout_core PRIVATE
   nc/iso/motion/planes.cpp
   nc/iso/motion/smooth.cpp
   nc/iso/motion/thread.cpp
+  nc/iso/motion/tool_direction.cpp
   nc/iso/motion/virtual_plane.cpp
   nc/iso/stages/virtual_stage.cpp
   nc/nct/parameters/axis.cpp
   nc/nct/parameters/comp.cpp
   nc/nct/parameters/cycles.cpp
   nc/nct/parameters/data.cpp
+  nc/nct/parameters/five_axis.cpp
   nc/nct/parameters/feeds.cpp
   nc/nct/parameters/functions.cpp
   nc/nct/parameters/machine.cpp

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <utility>
 
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
+#include "io/job/machine_file.h"
 
 namespace proveout {
 
@@ -17,9 +19,7 @@ using Type = ConfigValue::Type;
 namespace {
 
 constexpr std::size_t kMaxMachineBytes = 1u << 20;
-constexpr NumberRange kRate{0.0, 1e7, true};           // mm/min; 10 km/min is far above any machine
-constexpr NumberRange kDuration{0.0, 1e6, false};      // s
-constexpr NumberRange kAcceleration{0.0, 1e9, false};  // mm/s^2; 0: reaches its speed at once
+constexpr NumberRange kDuration{0.0, 1e6, false};  // s
 
 std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::string& control) {
   const auto found = names.parameters.find(control);
@@ -252,6 +252,19 @@ void readSpindle(ConfigTable& table, Job& job) {
   job.settings.spindles.push_back(std::move(spindle));
 }
 
+/// Axes and spindles as lists of what the control sees of them.
+void readAxesAndSpindles(ConfigTable& machine, Job& job) {
+  std::vector<ConfigTable> axes = machine.tables("axis");
+  if (!axes.empty()) {  // the job's axes stand for those of the machine's file
+    job.settings.axes.clear();
+    job.settings.machine.reset();
+  }
+  for (ConfigTable& axis : axes) readAxis(axis, job);
+  std::vector<ConfigTable> spindles = machine.tables("spindle");
+  if (!spindles.empty()) job.settings.spindles.clear();
+  for (ConfigTable& spindle : spindles) readSpindle(spindle, job);
+}
+
 /// The keys that the job's table and the machine's own file share.
 void readMachineKeys(ConfigTable& machine, Job& job) {
   readRapid(machine, job);
@@ -268,12 +281,11 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   if (const auto rpm = machine.number("max_rpm", kTopSpeed)) job.limits.max_rpm = *rpm;
   readLimits(machine, job);
   readRangeB(machine, job);
-  std::vector<ConfigTable> axes = machine.tables("axis");
-  if (!axes.empty()) job.settings.axes.clear();  // the job's axes stand for those of the machine's file
-  for (ConfigTable& axis : axes) readAxis(axis, job);
-  std::vector<ConfigTable> spindles = machine.tables("spindle");
-  if (!spindles.empty()) job.settings.spindles.clear();
-  for (ConfigTable& spindle : spindles) readSpindle(spindle, job);
+  if (machine.find("schema") != nullptr) {
+    readMachineModel(machine, job);
+  } else {
+    readAxesAndSpindles(machine, job);
+  }
   machine.refuseOthers();
 }
 
@@ -357,7 +369,8 @@ void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics) {
     diagnostics.add(std::move(d));
     return;
   }
-  const ConfigDocument document{splitConfigText(path, *text), "", &diagnostics};
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  const ConfigDocument document{splitConfigText(path, *text), folder, &diagnostics};
   const auto tree = parseToml(*text, document.text, diagnostics);
   if (!tree) return;
   job.machine_file = path;

@@ -7,7 +7,9 @@
 
 namespace proveout {
 
-inline constexpr NumberRange kTopSpeed{0.0, 1e6, true};  // 1/min that a machine or tool may turn
+inline constexpr NumberRange kTopSpeed{0.0, 1e6, true};       // 1/min that a machine or tool may turn
+inline constexpr NumberRange kRate{0.0, 1e7, true};           // mm/min or deg/min; far above any machine
+inline constexpr NumberRange kAcceleration{0.0, 1e9, false};  // mm/s^2, deg/s^2; 0: speed at once
 
 void readControl(ConfigTable& root, const JobNames& names, Job& job);
 /// `[machine]`, and the file that it may name.

@@ -6,10 +6,9 @@
 #include <map>
 
 #include "core/geometry/box_tree.h"
-#include "core/mesh/signed_distance.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
-#include "removal/grid/placed_field.h"
+#include "removal/grid/shape_field.h"
 #include "removal/sweep/motion_bodies.h"
 #include "removal/turning/section/section.h"
 #include "removal/turning/section/section_field.h"
@@ -150,34 +149,6 @@ class CutBodies {
   BoxTree tree_;
 };
 
-/// A closed mesh as a blank. Also for the nearest point: outside of it the distance is exact.
-class MeshField final : public BlankField {
- public:
-  explicit MeshField(const TriMesh& mesh)
-      : surface_(toSurface(mesh)), distance_(surface_), box_(meshBounds(mesh)) {}
-  BlankSample sample(const Vec3& p) const override {
-    const SurfaceDistance d = distance_.at(p);
-    return {d.distance, d.gradient.cast<double>().normalized(), 0};
-  }
-  Box3 bounds() const override { return box_; }
-  double volume() const override { return 0.0; }
-
- private:
-  SurfaceMesh surface_;
-  SignedDistance distance_;
-  Box3 box_;
-};
-
-/// Null where the shape does not tell its faces.
-Result<std::unique_ptr<BlankField>> fieldOf(const StockShape& shape) {
-  if (const auto* box = std::get_if<BoxShape>(&shape)) return makeBlankField(*box);
-  if (const auto* round = std::get_if<CylinderShape>(&shape)) return makeBlankField(*round);
-  if (const auto* known = std::get_if<FieldShape>(&shape)) return placedField(*known);
-  if (const auto* mesh = std::get_if<MeshShape>(&shape))
-    return std::unique_ptr<BlankField>(std::make_unique<MeshField>(mesh->mesh));
-  return std::unique_ptr<BlankField>();
-}
-
 class SweptPart final : public ExactPart {
  public:
   SweptPart(std::unique_ptr<BlankField> blank, const std::vector<ClampedCut>& cuts, std::uint32_t blank_setup)
@@ -274,7 +245,7 @@ class TurnedPart final : public ExactPart {
 
 Result<std::unique_ptr<ExactPart>> makeSweptPart(const StockShape& blank, const std::vector<ClampedCut>& cuts,
                                                  std::uint32_t blank_setup) {
-  Result<std::unique_ptr<BlankField>> field = fieldOf(blank);
+  Result<std::unique_ptr<BlankField>> field = shapeField(blank);
   if (!field) return field.error();
   if (*field == nullptr) return std::unique_ptr<ExactPart>();
   return std::unique_ptr<ExactPart>(std::make_unique<SweptPart>(std::move(*field), cuts, blank_setup));

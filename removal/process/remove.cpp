@@ -230,6 +230,7 @@ Status Remover::preparePasses() {
     }
     // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
     if (m.kind == MotionKind::kProbe && !watch_all_) continue;
+    if (path_.turnsTool(m)) continue;  // known to be clear of all that is there
     for (ToolParts::Part& part : found->second.parts) addPart(id, found->second, part);
     track_.add(m);
     if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {

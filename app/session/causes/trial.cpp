@@ -5,6 +5,7 @@
 #include "app/session/machining/machining.h"
 #include "app/session/programs/first_offset.h"
 #include "app/session/programs/interpretation.h"
+#include "app/session/programs/rotary_motions.h"
 #include "app/session/run/process.h"
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_table.h"
@@ -118,7 +119,9 @@ std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) 
   Toolpath& path = out.interpreted.path;
   if (out.interpreted.outgrown_at || !out.interpreted.summary.ok()) return std::nullopt;
   addOffsetTools(path, out.part.tools);
-  if (!refuseRotaryMotion(path, source) || !assignTools(path, out.part.tools, source)) return std::nullopt;
+  if (!assignTools(path, out.part.tools, source) ||
+      !checkRotaryMotions(path, source, {out.part, &blank_, trial.setup}))
+    return std::nullopt;
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string_view>
 
 #include "app/session/findings/blame.h"
@@ -134,9 +135,54 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
       finding.tool = path.motions[at.before].tool;
       finding.where = path.motions[at.before].to;
     }
-    finding.message = fmt::format("{} goes to {} mm, past its limit of {} mm (machine frame)",
-                                  overtravel->axis, overtravel->value + 0.0, overtravel->limit + 0.0);
+    const bool rotary = std::string_view("ABC").find(overtravel->axis.front()) != std::string_view::npos;
+    const char* const unit = rotary ? "deg" : "mm";
+    finding.message = fmt::format("{0} goes to {1} {3}, past its limit of {2} {3} (machine frame)",
+                                  overtravel->axis, overtravel->value + 0.0, overtravel->limit + 0.0, unit);
     findings.push_back(std::move(finding));
+  }
+}
+
+namespace {
+
+/// What is wrong with an axis in a feed motion; empty: nothing.
+std::string clampFault(const MachineAxis& axis, const RotaryPosition& at) {
+  constexpr double kStands = 1e-6;  // deg
+  if ((axis.clamped || axis.step > 0.0) && std::abs(at.to - at.from) > kStands)
+    return fmt::format(
+        "axis {} turns from {:g} to {:g} degrees in a feed motion: it is clamped while a tool cuts",
+        axis.name, at.from, at.to);
+  if (axis.step > 0.0 && std::abs(std::remainder(at.to, axis.step)) > kStands)
+    return fmt::format(
+        "axis {} stands at {:g} degrees in a feed motion: its teeth hold whole steps of {:g} degrees",
+        axis.name, at.to, axis.step);
+  return {};
+}
+
+}  // namespace
+
+void addClampedAxes(const MachineModel& machine, const Toolpath& path, const RecordingSource& texts,
+                    std::vector<Finding>& findings) {
+  std::set<std::string> told;
+  for (MotionId id = 0; id < path.motions.size(); ++id) {
+    const Motion& motion = path.motions[id];
+    if (motion.axis < 0 || motion.kind == MotionKind::kRapid) continue;
+    const AxisSweep& sweep = path.axes[static_cast<std::size_t>(motion.axis)];
+    for (int k = 0; k < sweep.rotary_count; ++k) {
+      const RotaryPosition& at = sweep.rotary[static_cast<std::size_t>(k)];
+      const int axis = machine.find(at.name.data());
+      if (axis < 0 || told.contains(at.name.data())) continue;
+      std::string fault = clampFault(machine.axes[static_cast<std::size_t>(axis)], at);
+      if (fault.empty()) continue;
+      told.insert(at.name.data());
+      Finding finding(FindingKind::kClampedAxis);
+      finding.source = blockRef(path, motion.source, texts);
+      finding.motion = id;
+      finding.tool = motion.tool;
+      finding.where = motion.to;
+      finding.message = std::move(fault);
+      findings.push_back(std::move(finding));
+    }
   }
 }
 

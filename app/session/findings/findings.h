@@ -17,6 +17,11 @@ void addAlarms(const Toolpath& path, std::vector<Finding>& findings);
 /// Travel past the job's limits.
 void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
 
+/// Axes that are clamped while a tool cuts (MachineAxis::clamped) and turn in a feed motion, and axes with
+/// teeth that stand between them then: the first motion of each axis.
+void addClampedAxes(const MachineModel& machine, const Toolpath& path, const RecordingSource& texts,
+                    std::vector<Finding>& findings);
+
 /// Areas that the control forbids: where its alarm stopped a motion.
 void addForbiddenZones(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings);
 

@@ -10,6 +10,7 @@
 #include "app/session/programs/clearance.h"
 #include "app/session/programs/first_offset.h"
 #include "app/session/programs/interpretation.h"
+#include "app/session/programs/rotary_motions.h"
 #include "app/session/programs/wire_heights.h"
 #include "app/session/run/process.h"
 #include "app/session/run/stock_probe.h"
@@ -99,12 +100,14 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     Toolpath& path = setup.interpreted.path;
     addPlaceNotes(setup.job, k, bounds, placing, path);
     addOffsetTools(path, setup.job.tools);
-    const bool good = setup.interpreted.summary.ok() && refuseRotaryMotion(path, *sources[k]) &&
-                      assignTools(path, setup.job.tools, *sources[k]);
+    const bool good = setup.interpreted.summary.ok() && assignTools(path, setup.job.tools, *sources[k]) &&
+                      checkRotaryMotions(path, *sources[k], {setup.job, &blank, k});
     if (!good) run.alarm = true;
     inSetup(run, setup, [&](std::vector<Finding>& findings) {
       addAlarms(path, findings);
       addOvertravel(path, *sources[k], findings);
+      if (setup.job.settings.machine)
+        addClampedAxes(*setup.job.settings.machine, path, *sources[k], findings);
       addForbiddenZones(path, *sources[k], findings);
     });
     run.setups.push_back(std::move(setup));
@@ -134,6 +137,7 @@ Result<ReadProgram> readProgram(const Job& job, std::size_t k, const Blank* blan
   addOffsetTools(path, setup.job.tools);
   if (setup.interpreted.summary.ok() && !setup.job.tools.empty()) assignTools(path, setup.job.tools, source);
   addOvertravel(path, source, done.findings);
+  if (setup.job.settings.machine) addClampedAxes(*setup.job.settings.machine, path, source, done.findings);
   addForbiddenZones(path, source, done.findings);
   const bool first = blank != nullptr && k == 0;  // what the clampings before it leave is not known
   addProgramFindings(

@@ -224,31 +224,6 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
   return result;
 }
 
-bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source) {
-  for (const Motion& motion : path.motions) {
-    if (motion.axis < 0) continue;
-    const AxisSweep& axis = path.axes[static_cast<std::size_t>(motion.axis)];
-    std::string why;
-    if (!axis.alongZ()) why = "a tool axis other than +z";
-    for (int k = 0; k < axis.rotary_count; ++k) {
-      const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
-      if (!rotary.in_path && (rotary.from != 0.0 || rotary.to != 0.0))
-        why = fmt::format("rotary axis {}", rotary.name.data());
-    }
-    if (why.empty()) continue;
-    const BlockRef block = blockRef(path, motion.source, source);
-    Diagnostic diagnostic;
-    diagnostic.code = "rotary-motion";
-    diagnostic.message = fmt::format(
-        "this motion uses {}: this version can write such a path but not remove material with it", why);
-    diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
-    diagnostic.source_line = block.text;
-    path.diagnostics.add(std::move(diagnostic));
-    return false;
-  }
-  return true;
-}
-
 void addOffsetTools(Toolpath& path, std::vector<Tool>& tools) {
   std::set<int> defined;
   for (const Tool& tool : tools) defined.insert(tool.number);

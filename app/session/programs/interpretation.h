@@ -28,10 +28,6 @@ InterpretSummary interpretJob(const Job& job, ControlId control, const Recording
 Interpreted interpretProgram(const Job& job, const RecordingSource& source, const ControlSettings& settings,
                              Progress& progress, const ProbedStock* stock = nullptr);
 
-/// False, with an error in the path's diagnostics, if a motion turns the tool or the workpiece: the engine
-/// cuts with a tool along +z in a workpiece that stands still.
-bool refuseRotaryMotion(Toolpath& path, const RecordingSource& source);
-
 /// Tools that the control calls and the job does not have get the shape that their offset row tells (D of a
 /// row with a corner radius, event tool_shape); a note says so. The first row that a tool is used with
 /// counts.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/geometry/types.h"
+#include "core/machine/machine_model.h"
 
 namespace proveout {
 
@@ -18,14 +19,6 @@ enum class LengthUnit { kMillimetre, kInch };
 /// Text encoding of program files. kAuto: UTF-8 where the bytes are valid UTF-8, else the Cyrillic code
 /// page that fits the text better.
 enum class TextEncoding { kAuto, kUtf8, kKoi8R, kCp1251, kGb18030 };
-
-/// Travel limits of one axis, machine frame, mm.
-struct AxisLimit {
-  double min = 0.0;
-  double max = 0.0;
-};
-
-enum class AxisKind { kLinear, kRotary };
 
 /// What a rotary axis turns.
 enum class RotaryCarries {
@@ -127,7 +120,10 @@ struct ControlSettings {
   std::array<std::optional<AxisLimit>, 3> limits;  ///< X, Y, Z, machine frame, mm
   /// Ends of the axes, "Z+", at which the machine's PLC has chosen range B of the control's stroke limits.
   std::vector<std::string> stroke_range_b;
-  std::vector<AxisSettings> axes;         ///< besides X, Y, Z
+  std::vector<AxisSettings> axes;  ///< besides X, Y, Z
+  /// How the machine is built; its axes are X, Y, Z and those of `axes`, in that order. None: see
+  /// machineOf().
+  std::optional<MachineModel> machine;
   std::vector<SpindleSettings> spindles;  ///< none: one without limits, called by S
   Vec3 start = Vec3(0, 0, 100);           ///< where the tool is at power-on, workpiece frame, mm
   bool start_by_default = false;          ///< nobody named it: it keeps below the ends of travel

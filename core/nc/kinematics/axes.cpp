@@ -16,15 +16,6 @@ int mainAxis(std::string_view name) {
   return found == kMainNames.end() ? -1 : static_cast<int>(found - kMainNames.begin());
 }
 
-/// Names of the manual (2.2): first X Y Z U V W A B C, then up to two letters or digits; AX and AXN are
-/// taken.
-bool goodName(std::string_view name) {
-  if (name.empty() || name.size() > 3 || name == "AX" || name == "AXN") return false;
-  if (std::string_view("XYZUVWABC").find(name[0]) == std::string_view::npos) return false;
-  return std::all_of(name.begin() + 1, name.end(),
-                     [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
-}
-
 std::optional<RotaryMount> mountOf(const AxisSettings& given) {
   const int letter =
       std::string_view("ABC").find(given.name[0]) == std::string_view::npos ? -1 : given.name[0] - 'A';
@@ -35,6 +26,13 @@ std::optional<RotaryMount> mountOf(const AxisSettings& given) {
   mount.direction = given.direction.value_or(letter >= 0 ? Vec3(Vec3::Unit(letter)) : Vec3(Vec3::UnitZ()));
   mount.center = given.center;
   return mount;
+}
+
+bool turnsOn(const MachineModel& machine, const std::string& name) {
+  const int k = machine.find(name);
+  if (k < 0) return false;
+  const MachineAxis& axis = machine.axes[static_cast<std::size_t>(k)];
+  return axis.kind == AxisKind::kRotary && axis.side != AxisSide::kNothing;
 }
 
 std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
@@ -60,6 +58,7 @@ std::vector<AxisInfo> axesOf(const ControlSettings& settings) {
     axis.acceleration = given.acceleration;
     axis.limit = given.limit;
     axis.mount = mountOf(given);
+    axis.turns = settings.machine ? turnsOn(*settings.machine, given.name) : axis.mount.has_value();
   }
   return axes;
 }
@@ -94,7 +93,7 @@ int AxisTable::byNumber(int number) const {
 
 std::string checkAxes(const ControlSettings& settings) {
   for (const AxisSettings& axis : settings.axes) {
-    if (!goodName(axis.name)) {
+    if (!isAxisName(axis.name)) {
       return fmt::format("axis name '{}': X Y Z U V W A B or C, then up to two letters or digits", axis.name);
     }
     const bool parallel = !axis.parallel.empty();

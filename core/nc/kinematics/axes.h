@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/geometry/types.h"
+#include "core/machine/axis_point.h"
 #include "core/nc/control/control_settings.h"
-#include "core/nc/kinematics/axis_point.h"
 #include "core/nc/kinematics/feed_limits.h"
 #include "core/nc/services/plane_frame.h"
 #include "core/nc/text/lex_names.h"
@@ -50,7 +50,8 @@ struct AxisInfo {
   double rapid = 15000.0;            ///< mm/min or deg/min, > 0
   double acceleration = 0.0;         ///< mm/s^2 or deg/s^2; 0: no limit
   std::optional<AxisLimit> limit;    ///< machine coordinates
-  std::optional<RotaryMount> mount;  ///< of tables
+  std::optional<RotaryMount> mount;  ///< of tables, where the settings name no machine
+  bool turns = false;                ///< rotary: it turns tool or part, as the job describes it
   bool rotary() const { return kind == AxisKind::kRotary; }
 };
 

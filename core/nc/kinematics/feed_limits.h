@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

@@ -139,16 +139,26 @@ WorkSystem WorkFrames::system(WorkSystemId id) const {
   return it == extended.end() ? WorkSystem{} : it->second;
 }
 
-CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length) const {
+CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length,
+                                  const SpatialFrames* spatial) const {
   const WorkSystem work = system(active);
   const FrameStep transform{map.linear, map.offset};
   const FrameStep local{Mat3::Identity(), shift52.xyz + shift92.xyz};
-  const FrameStep rotate{basicRotation(work.angles_deg), common.offset.xyz + work.offset.xyz + length.xyz};
-  CoordinateChain chain({transform, local}, {rotate});
+  const Mat3 basic_turn = basicRotation(work.angles_deg);
+  std::vector<FrameStep> to_machine;
+  if (spatial != nullptr) {
+    to_machine = {
+        spatial->tilt, {basic_turn, Vec3::Zero()}, spatial->zero, {Mat3::Identity(), spatial->length}};
+  } else {
+    to_machine = {{basic_turn, common.offset.xyz + work.offset.xyz + length.xyz}};
+  }
+  CoordinateChain chain({transform, local}, to_machine);
   AxisPoint shift, offset;
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_axes); ++k) {
     shift.more[k] = shift52.more[k] + shift92.more[k];
-    offset.more[k] = common.offset.more[k] + work.offset.more[k] + length.more[k];
+    offset.more[k] =
+        (spatial != nullptr ? spatial->rotary_offset.more[k] : common.offset.more[k] + work.offset.more[k]) +
+        length.more[k];
   }
   chain.moveFurtherAxes(more_axes, shift, offset);
   if (!map.identity) {

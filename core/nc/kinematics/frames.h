@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/geometry/types.h"
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/nc/kinematics/program_transforms.h"
 
 namespace proveout::nc {
@@ -81,6 +81,15 @@ struct WorkSystem {
 using WorkSystemId = int;
 inline constexpr WorkSystemId kFirstExtended = 101;
 
+/// What five-axis functions put into a chain: work point --(tilted plane)--(basic rotation)--(workpiece on
+/// its tables)--(length vector)--> machine point.
+struct SpatialFrames {
+  FrameStep tilt;
+  FrameStep zero;              ///< in place of the shift by the work offset
+  Vec3 length = Vec3::Zero();  ///< in place of the length offset of X, Y, Z
+  AxisPoint rotary_offset;     ///< of the axes besides X Y Z, in place of those of the work offset
+};
+
 /// Registers. Plain values; whoever changes one builds a new chain.
 struct WorkFrames {
   WorkSystem common;  ///< its angles stay 0
@@ -94,7 +103,9 @@ struct WorkFrames {
   WorkSystem& system(WorkSystemId id);
   WorkSystem system(WorkSystemId id) const;
   /// The chain with the program's transforms, work system `active` and length offset `length` (machine axes).
-  CoordinateChain chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length) const;
+  /// `spatial`: with the five-axis functions in force; null: there are none.
+  CoordinateChain chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length,
+                        const SpatialFrames* spatial = nullptr) const;
 };
 
 }  // namespace proveout::nc

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "core/machine/axis_point.h"
 #include "core/nc/kinematics/axes.h"
-#include "core/nc/kinematics/axis_point.h"
 #include "core/nc/services/plane_frame.h"
 
 namespace proveout::nc {

@@ -16,6 +16,7 @@ const AlarmTable& nctAlarms() {
           {SharedAlarm::kCircle, 2015, {}, "circle definition error"},
           {SharedAlarm::kIllegalAddress, 2017, {}, "illegal address {}"},
           {SharedAlarm::kAxisNumber, 2018, {}, "wrong physical axis number {}"},
+          {SharedAlarm::kNoTilt, 2019, {}, "no tilted plane is in force"},
           {SharedAlarm::kThread, 2021, {}, "thread cutting definition error"},
           {SharedAlarm::kAxis, 2035, {}, "wrong axis data {}"},
           {SharedAlarm::kTorque, 2039, {}, "Q specification error"},

@@ -7,7 +7,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 
 namespace proveout::nc {
 

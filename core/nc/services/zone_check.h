@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {

@@ -2,10 +2,12 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/printable.h"
+#include "core/nc/kinematics/machine_of.h"
 
 namespace proveout::nc {
 namespace {
@@ -40,7 +42,7 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
       axes_(axes),
       more_(axes.moreCount()),
       origin_(settings.work_offsets[0] + settings.common_offset),
-      tables_(axes, origin_),
+      chain_(machineOf(settings, axes, origin_), origin_),
       machine_(settings.start + origin_) {
   for (int k = 0; k < axes_.count(); ++k) {
     any_limit_ = any_limit_ || axes_.at(k).limit.has_value();
@@ -54,7 +56,7 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
     if (mount.gauge) gauges_[tool] = Vec3(mount.gauge->x(), 0.0, mount.gauge->y());
   }
   setTool(settings.tool);
-  if (settings.tool == 0) to_workpiece_ -= settings.unnamed_gauge;
+  if (settings.tool == 0) to_workpiece_ -= alongTool(settings.unnamed_gauge);
   home_ = machine_.xyz = settings.start - to_workpiece_;
 }
 
@@ -65,8 +67,8 @@ void PathEmitter::lowerStart(double height) {
 void PathEmitter::setTool(int tool) {
   tool_ = tool;
   const auto gauge = gauges_.find(tool);
-  to_workpiece_ = -origin_;
-  if (gauge != gauges_.end()) to_workpiece_ -= gauge->second;
+  to_workpiece_ = chain_.tipAtZero(0.0);
+  if (gauge != gauges_.end()) to_workpiece_ -= alongTool(gauge->second);
 }
 
 void PathEmitter::countFromNose(int tool) {
@@ -75,14 +77,14 @@ void PathEmitter::countFromNose(int tool) {
   gauges_[tool] = Vec3(mount->second.nose_center.x(), 0.0, mount->second.nose_center.y());
 }
 
-Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const {
-  Vec3 point = machine.xyz + to_workpiece_;
-  for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
-    const int main = axes_.at(k).parallel_to;
-    if (main >= 0) point[main] += machine[k];
-  }
-  return tables_.any() ? tables_.point(machine, point) : point;
+/// A gauge vector of a tool, whose z goes along it, as it stands in the spindle.
+Vec3 PathEmitter::alongTool(const Vec3& gauge) const {
+  const Vec3& axis = chain_.toolAtZero();
+  if (axis == Vec3::UnitZ()) return gauge;
+  return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis) * gauge;
 }
+
+Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const { return chain_.point(machine, to_workpiece_); }
 
 /// Length that the axes besides X Y Z add to a motion: mm and degrees alike, as the feed counts them.
 double PathEmitter::furtherTravel(const AxisPoint& to) const {
@@ -96,7 +98,7 @@ double PathEmitter::furtherTravel(const AxisPoint& to) const {
 
 bool PathEmitter::plainArc(const AxisPoint& to, const MachineArc& arc) const {
   const bool main = arc.plane.u < kMainAxes && arc.plane.v < kMainAxes;
-  return main && furtherTravel(to) < kNoMoveMm && (!tables_.any() || tables_.atZero(machine_));
+  return main && furtherTravel(to) < kNoMoveMm && chain_.isLevel() && chain_.atZero(machine_);
 }
 
 double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
@@ -116,12 +118,10 @@ const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
     axes_.at(k).name.copy(rotary.name.data(), rotary.name.size() - 1);
     rotary.from = machine_[k];
     rotary.to = to[k];
-    rotary.in_path = axes_.at(k).mount.has_value();
+    rotary.in_path = chain_.carries(k);
   }
-  if (tables_.any()) {
-    sweep_.from = tables_.direction(machine_, Vec3::UnitZ());
-    sweep_.to = tables_.direction(to, Vec3::UnitZ());
-  }
+  sweep_.from = chain_.toolAxis(machine_);
+  sweep_.to = chain_.toolAxis(to);
   return &sweep_;
 }
 
@@ -150,7 +150,7 @@ void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, double s
     m.time_s = 60.0 * length / speed;
     time_.flush();  // this one has its own time
   }
-  if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);
+  if (chain_.turns(machine_, to)) return sendTurned(m, to);
   MotionJoin join;
   join.stops = true;
   if (speed > 0.0 || !time_.wantsPace(join)) return send(m, to, nullptr);
@@ -183,7 +183,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   }
   m.time_s = 60.0 * length / m.feed;
   m.source = source;
-  if (tables_.any() && tables_.turns(machine_, to)) return sendTurned(m, to);
+  if (chain_.turns(machine_, to)) return sendTurned(m, to);
   if (!wants_pace) return send(m, to, nullptr);
   if (style.acceleration > 0.0) pace.acceleration = std::min(pace.acceleration, style.acceleration);
   pace.speed = m.feed / 60.0;
@@ -191,7 +191,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
 }
 
 std::optional<PathEmitter::Line> PathEmitter::lineOf(const AxisPoint& to, const SourceRef& source) {
-  if (tables_.any() && tables_.turns(machine_, to)) return std::nullopt;
+  if (chain_.turns(machine_, to)) return std::nullopt;
   Line line;
   line.motion.kind = MotionKind::kFeed;
   line.motion.from = toolPoint(machine_);
@@ -264,7 +264,7 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
   } else {
     machine_ = to;
   }
-  if (any_limit_ && tables_.any()) {
+  if (any_limit_ && chain_.anyRotary()) {
     checkMachineTravel(from, motion.source);
   } else if (any_limit_) {
     checkTravel(motion, arc, motion.source);

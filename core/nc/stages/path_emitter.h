@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/machine/machine_chain.h"
 #include "core/nc/control/control_settings.h"
 #include "core/nc/control/run_summary.h"
 #include "core/nc/kinematics/axes.h"
-#include "core/nc/kinematics/rotary_kinematics.h"
 #include "core/nc/stages/time_stage.h"
 #include "core/path/toolpath.h"
 
@@ -130,6 +130,7 @@ class PathEmitter {
   void send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc, const MotionPace* pace = nullptr,
             const MotionJoin& join = {});
   MotionPace linePace(const AxisPoint& to, double length, double speed) const;
+  Vec3 alongTool(const Vec3& gauge) const;
   /// The controlled point of the tool in the workpiece frame.
   Vec3 toolPoint(const AxisPoint& machine) const;
   using MachineCurve = std::function<AxisPoint(double)>;  ///< of 0..1
@@ -163,11 +164,13 @@ class PathEmitter {
   const int more_;  ///< axes besides X Y Z
   int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
-  RotaryKinematics tables_;
+  MachineChain chain_;
   AxisPoint machine_;
   Vec3 home_;
   AxisSweep sweep_;
-  Vec3 to_workpiece_;           ///< added to a machine point: minus origin, minus gauge of the tool
+  /// The tool's controlled point with all axes at 0, workpiece frame; what is added to a machine point where
+  /// no axis turns.
+  Vec3 to_workpiece_;
   std::map<int, Vec3> gauges_;  ///< by tool: from its control point to what the machine counts from
   int tool_ = 0;
   double spindle_ = 0.0;

@@ -99,7 +99,7 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
   time_.flush();  // these motions have their own times
   const Shape shape = shapeOf(at, arc);
   const AxisPoint start = at(0.0);
-  const double turned = tables_.any() ? tables_.turned(start, at(1.0)) : 0.0;
+  const double turned = chain_.turned(start, at(1.0));
   double done = 0.0;
   const auto piece = [&](double t) {
     Motion m = whole;
@@ -123,8 +123,7 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
                 kCurveChordMm, piece);
     return;
   }
-  const bool upright = tables_.direction(start, Vec3::UnitZ()) == Vec3::UnitZ() &&
-                       tables_.direction(at(0.618), Vec3::UnitZ()) == Vec3::UnitZ();
+  const bool upright = chain_.toolAxis(start) == Vec3::UnitZ() && chain_.toolAxis(at(0.618)) == Vec3::UnitZ();
   const int pieces = upright ? 1 : piecesOf(turned, kAxisTurnRad);
   for (int k = 1; k <= pieces; ++k) piece(static_cast<double>(k) / pieces);
 }
@@ -133,14 +132,12 @@ void PathEmitter::sendTurned(const Motion& motion, const AxisPoint& to) {
   const AxisPoint start = machine_;
   const MachineCurve at = [&start, &to](double t) { return t >= 1.0 ? to : between(start, to, t); };
   ArcGeometry arc;
-  const int table = tables_.turningTable(start, to);
-  if (table >= 0) {
-    Vec3 point;
-    tables_.tableAxis(table, start, point, arc.normal);
-    arc.center = point + arc.normal * arc.normal.dot(toolPoint(start) - point);
-    arc.sweep_rad = degToRad(tables_.angle(table, to) - tables_.angle(table, start));
-  }
-  sendCurve(motion, at, table >= 0 ? &arc : nullptr);
+  const MachineChain::Turn turn = chain_.onlyTurn(start, to);
+  if (turn.axis < 0) return sendCurve(motion, at, nullptr);
+  arc.normal = turn.direction;
+  arc.center = turn.point + arc.normal * arc.normal.dot(toolPoint(start) - turn.point);
+  arc.sweep_rad = degToRad(turn.sign * (to[turn.axis] - start[turn.axis]));
+  sendCurve(motion, at, &arc);
 }
 
 void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
@@ -175,7 +172,7 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
     center[plane.v] = arc.center.y();
     xyz.normal = direction(plane.u).cross(direction(plane.v));
   }
-  const ArcGeometry guess{toolPoint(center), tables_.direction(start, xyz.normal), arc.sweep_rad};
+  const ArcGeometry guess{toolPoint(center), chain_.direction(start, xyz.normal), arc.sweep_rad};
   const double r0 = main ? frame.radius_start : (from_uv - arc.center.head<2>()).norm();
   const double r1 = main ? frame.radius_end : (to_uv - arc.center.head<2>()).norm();
   double rise2 = main ? frame.rise * frame.rise : 0.0;  // of all axes outside the circle

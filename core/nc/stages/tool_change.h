@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "core/machine/axis_point.h"
 #include "core/nc/control/control_settings.h"
-#include "core/nc/kinematics/axis_point.h"
 #include "core/nc/origins/kind_set.h"
 #include "core/nc/origins/origin_recorder.h"
 #include "core/nc/stages/motion_pipe.h"

@@ -38,6 +38,7 @@ constexpr auto kUsual = std::to_array<AlarmTable::Row>({
     {SharedAlarm::kThread, 0, "thread", "thread definition error"},
     {SharedAlarm::kAxis, 0, "axis", "wrong axis data {}"},
     {SharedAlarm::kTorque, 0, "torque", "torque of a measuring move"},
+    {SharedAlarm::kNoTilt, 0, "no-tilt", "no tilted plane is in force"},
     {SharedAlarm::kCompEndInArc, 0, "comp-end-in-arc", "cutter compensation ends in an arc"},
     {SharedAlarm::kCompNoIntersection, 0, "comp-no-intersection",
      "no intersection point of compensated blocks"},

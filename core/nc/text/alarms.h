@@ -41,7 +41,8 @@ enum class SharedAlarm : std::uint8_t {
   kCircle,             ///< a circle that is not defined
   kThread,             ///< a thread that is not defined
   kAxis,               ///< subject: an axis that cannot stand here
-  kTorque,             ///< of a measuring move
+  kTorque,             ///< Q: of a measuring move, of a tilted plane
+  kNoTilt,             ///< a code that needs a tilted plane
   kCompEndInArc,       ///< cutter compensation ends in an arc
   kCompNoIntersection,
   kCompInterference,

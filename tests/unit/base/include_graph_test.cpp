@@ -24,6 +24,7 @@ const std::vector<std::string> kFolders = {"core", "removal", "io", "render", "a
 const std::vector<std::string> kFloors = {"core/base",
                                           "core/geometry",
                                           "core/mesh",
+                                          "core/machine",
                                           "core/path",
                                           "core/tool",
                                           "core/nc/control",

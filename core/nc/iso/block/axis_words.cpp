@@ -5,6 +5,7 @@
 
 #include "core/geometry/degrees.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/services/rollover.h"
 
 namespace proveout::nc {
@@ -28,7 +29,7 @@ RolloverRule rolloverRule(const IsoContext& c, int axis) {
 bool checkRotary(IsoContext& c, const BlockPlan& plan, int axis, const Word& w, double travel) {
   if (plan.next.axes.mode != VirtualMode::kOff && axis == plan.next.axes.rotary) return true;
   const AxisInfo& info = c.axes.at(axis);
-  if (!info.mount) {
+  if (!info.turns) {
     const std::string key = "told only " + info.name;
     if (travel != 0.0 && c.firstTime(key)) {
       c.warn(
@@ -135,8 +136,10 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
       end = word.step ? plan.start[word.axis] + value : value;
     }
   }
-  if (radius.word == nullptr && angle.word == nullptr) return true;
-  return polarTarget(c, plan, radius, angle, target);
+  if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
+    return false;
+  if (plan.next.five.follows()) followRotaryAxes(c, plan, target);
+  return true;
 }
 
 }  // namespace proveout::nc

@@ -7,9 +7,11 @@
 #include "core/nc/iso/block/auxiliary.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/frames/transforms.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/motion/planes.h"
+#include "core/nc/iso/motion/tool_direction.h"
 #include "core/nc/iso/motion/virtual_plane.h"
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/perform/unused_words.h"
@@ -291,7 +293,10 @@ void warnOfMissingOffset(IsoContext& c, WorkSystemId id) {
 bool planWorkSystem(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupWorkSystem];
   if (code == nullptr) return true;
-  if (code->code10 == gcode::kExtendedWorkSystem) {
+  plan.next.five.dynamic_zero = 0;
+  if (code->code10 == gcode::kDynamicZero) {
+    if (!planDynamicZero(c, plan)) return false;
+  } else if (code->code10 == gcode::kExtendedWorkSystem) {
     const Word* p = c.word('P');
     std::int64_t number = 0;
     if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.1 needs P1 to P99");
@@ -302,7 +307,7 @@ bool planWorkSystem(IsoContext& c, BlockPlan& plan) {
     plan.next.work_system = (code->code10 - gcode::kWorkSystem1) / 10 + 1;
   }
   plan.frames_changed = true;
-  warnOfMissingOffset(c, plan.next.work_system);
+  if (plan.next.five.dynamic_zero == 0) warnOfMissingOffset(c, plan.next.work_system);
   return true;
 }
 
@@ -315,7 +320,10 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   }
   if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
+    next.five.along_tool = false;
     plan.frames_changed = true;
+  } else if (mode == gcode::kLengthAlongTool && (code || c.block.present.has('H'))) {
+    if (!planLengthAlongTool(c, plan)) return false;
   } else if (mode == gcode::kLengthTurning && (code || c.block.present.has('H'))) {
     if (!planTurningLength(c, plan)) return false;
   } else if (mode != gcode::kLengthOff && (code || c.block.present.has('H'))) {
@@ -334,13 +342,14 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
         if (axisWord(plan, w, named)) set(named.axis);
       }
     }
+    next.five.along_tool = next.five.on_table && c.five_axes.hasHead();
     plan.frames_changed = true;
     plan.flush = true;
   }
   if (plan.frames_changed || plan.transforms_changed) {
     plan.new_chain = c.chainOf(next);
     plan.chain = &*plan.new_chain;
-    plan.start = plan.chain->programOf(c.machine);
+    plan.start = holdsPosition(c, plan) ? c.position : plan.chain->programOf(c.machine);
   } else {
     plan.chain = &c.chain;
   }
@@ -443,8 +452,9 @@ bool planBlock(IsoContext& c, BlockPlan& plan) {
   if (const Word* e = c.block.find('E')) plan.next.last.e = e->value;
   return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
-         planOffsetsHD(c, plan) && planWorkSystem(c, plan) && planTransformsOff(c, plan) &&
-         planLength(c, plan) && planComp(c, plan) && govern(c, plan) && checkWords(c, plan);
+         planOffsetsHD(c, plan) && planTiltState(c, plan) && planWorkSystem(c, plan) &&
+         planTransformsOff(c, plan) && planLength(c, plan) && planComp(c, plan) && govern(c, plan) &&
+         followZero(c, plan) && checkWords(c, plan);
 }
 
 }  // namespace proveout::nc

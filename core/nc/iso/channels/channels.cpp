@@ -132,7 +132,7 @@ bool IsoChannels::checkTables() {
   if (channels_.size() < 2) return true;
   const AxisTable& axes = channels_.front().control->context().axes;
   for (int k = kMainAxes; k < axes.count(); ++k) {
-    if (!axes.at(k).mount) continue;
+    if (!axes.at(k).turns) continue;
     return fail(
         fmt::format("axis {} turns the part: with several channels it would turn it for all of them, "
                     "which is not supported (carries = \"nothing\" only tells its position)",

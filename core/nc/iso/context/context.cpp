@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/assert.h"
+#include "core/nc/kinematics/machine_of.h"
 
 namespace proveout::nc {
 
@@ -47,6 +48,7 @@ IsoContext::IsoContext(const IsoDialect& control, const ProgramSource& source,
       summary(run_summary),
       codes(control.codes),
       axes(control_settings),
+      five_axes(fiveAxisModelOf(machineOf(control_settings, axes, offsetZero(control_settings)))),
       emitter(control_settings, axes, sink, run_summary),
       parameters(control.parameters),
       programs(source, control_settings.encoding, control.layout, sink),
@@ -83,8 +85,36 @@ void IsoContext::shareWith(IsoContext& owner) {
   origins.shareWords(owner.origins, channel());
 }
 
+CoordinateChain IsoContext::chainOf(const IsoState& s, const AxisPoint& at) const {
+  const WorkFrames& frames = registers.frames;
+  const ProgramMap transforms = programMap(s.transforms, axes);
+  if (!s.five.any()) return frames.chain(transforms, s.work_system, s.length);
+  const WorkSystem work = frames.system(s.work_system);
+  const RotaryAngles angles = five_axes.at(at);
+  SpatialFrames spatial;
+  spatial.tilt = s.five.tilt;
+  for (std::size_t k = 0; k < spatial.rotary_offset.more.size(); ++k)
+    spatial.rotary_offset.more[k] = frames.common.offset.more[k] + work.offset.more[k];
+  const Vec3 zero = frames.common.offset.xyz + work.offset.xyz;
+  spatial.zero.offset = zero;
+  if (s.five.dynamic_zero > 0) {
+    const AxisPoint& row = registers.dynamic_zeros[static_cast<std::size_t>(s.five.dynamic_zero - 1)];
+    spatial.zero.offset = five_axes.dynamicZero(angles, row.xyz, five_axes.at(row));
+    spatial.rotary_offset.more = row.more;
+  } else if (s.five.on_table) {
+    spatial.zero = five_axes.workpieceOnTable(angles, zero, five_axes.at(spatial.rotary_offset));
+  }
+  spatial.length = s.length.xyz;
+  if (s.five.along_tool) {
+    const bool minus = s.active[kGroupLengthComp] == gcode::kLengthMinus;
+    spatial.length = five_axes.lengthVector(angles, minus ? -s.h_value : s.h_value);
+  }
+  return frames.chain(transforms, s.work_system, s.length, &spatial);
+}
+
 void IsoContext::settle(const AxisPoint& at) {
   machine = stages.virtual_plane.linked() ? stages.virtual_plane.adopt(at) : at;
+  if (state.five.follows()) chain = chainOf(state);
   position = chain.programOf(machine);
 }
 

@@ -33,6 +33,7 @@
 #include "core/nc/iso/model/spindles.h"
 #include "core/nc/iso/model/state.h"
 #include "core/nc/iso/model/system_calls.h"
+#include "core/nc/iso/model/tilt_plan.h"
 #include "core/nc/iso/model/tool_tables.h"
 #include "core/nc/iso/parameters/parameters.h"
 #include "core/nc/iso/stages/comp_stage.h"
@@ -41,6 +42,7 @@
 #include "core/nc/iso/stages/transform_stage.h"
 #include "core/nc/iso/stages/virtual_stage.h"
 #include "core/nc/iso/stages/zone_stage.h"
+#include "core/nc/kinematics/five_axis_model.h"
 #include "core/nc/kinematics/frames.h"
 #include "core/nc/macro/variables.h"
 #include "core/nc/origins/origin_recorder.h"
@@ -54,8 +56,9 @@ namespace proveout::nc {
 
 /// Where the last measuring move stopped.
 struct SkipPosition {
-  AxisPoint work;         ///< work coordinates, length offset included
-  AxisPoint tip;          ///< without it
+  /// In workpiece coordinates and in those of a tilted plane (first index 1); with the length offset included and
+  /// without it (second index 1).
+  std::array<std::array<AxisPoint, 2>, 2> at;
   AxisPoint machine;      ///< machine coordinates
   AxisPoint machine_tip;  ///< without the length offset
 };
@@ -70,9 +73,11 @@ struct IsoRegisters {
   Spindles spindles;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
   SkipPosition skip;
-  std::optional<Zone> program_zone;  ///< of G22
-  double parts_made = 0.0;           ///< #3901
-  double parts_wanted = 0.0;         ///< #3902
+  std::optional<Zone> program_zone;        ///< of G22
+  std::array<AxisPoint, 8> dynamic_zeros;  ///< of G54.2 P1 to P8
+  TiltInput tilt_input;
+  double parts_made = 0.0;    ///< #3901
+  double parts_wanted = 0.0;  ///< #3902
 };
 
 /// The block that an interrupt macro has interrupted.
@@ -152,6 +157,7 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   InterpretSummary& summary;
   const CodeIndex& codes;
   const AxisTable axes;
+  FiveAxisModel five_axes;  ///< as the control knows the machine; fixed once its parameters are taken
   PathEmitter emitter;
   IsoParameters parameters;
   ProgramStore programs;
@@ -204,10 +210,10 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   /// and so are the tools.
   void shareWith(IsoContext& owner);
 
-  /// The chain of a state.
-  CoordinateChain chainOf(const IsoState& s) const {
-    return registers.frames.chain(programMap(s.transforms, axes), s.work_system, s.length);
-  }
+  /// The chain of a state, with the rotary axes where the machine has them.
+  CoordinateChain chainOf(const IsoState& s) const { return chainOf(s, machine); }
+  /// The same with the rotary axes of `at`, machine coordinates.
+  CoordinateChain chainOf(const IsoState& s, const AxisPoint& at) const;
 
   /// The machine stands at `at` by other means than a programmed motion.
   void settle(const AxisPoint& at);

@@ -29,6 +29,20 @@ bool planSetPosition(IsoContext& c, BlockPlan& plan);
 /// G10 L2, L20.
 bool planWorkOffset(IsoContext& c, BlockPlan& plan);
 
+// five_axis/tilt.cpp
+/// G68.1.
+bool planSpaceRotation(IsoContext& c, BlockPlan& plan);
+/// G68.2.
+bool planTiltedPlane(IsoContext& c, BlockPlan& plan);
+
+// motion/tool_direction.cpp
+/// G53.1.
+bool planToolDirection(IsoContext& c, BlockPlan& plan);
+
+// five_axis/dynamic_zero.cpp
+/// G10 L21.
+bool planDynamicOffset(IsoContext& c, BlockPlan& plan);
+
 // zones/zones.cpp
 bool planZoneOn(IsoContext& c, BlockPlan& plan);
 bool planZoneOff(IsoContext& c, BlockPlan& plan);

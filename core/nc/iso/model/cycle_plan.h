@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // What a block plans for shifts and work systems.
 #pragma once
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/nc/kinematics/frames.h"
 
 namespace proveout::nc {

@@ -1,7 +1,7 @@
 // What measuring moves plan.
 #pragma once
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 
 namespace proveout::nc {
 

@@ -1,7 +1,7 @@
 // What motion blocks plan beside PlannedMotion.
 #pragma once
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 
 namespace proveout::nc {
 

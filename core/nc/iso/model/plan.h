@@ -16,6 +16,7 @@
 #include "core/nc/iso/model/motion_plan.h"
 #include "core/nc/iso/model/offset_plan.h"
 #include "core/nc/iso/model/state.h"
+#include "core/nc/iso/model/tilt_plan.h"
 #include "core/nc/iso/model/tool_plan.h"
 #include "core/nc/iso/model/zone_plan.h"
 #include "core/nc/origins/origin_recorder.h"
@@ -34,8 +35,9 @@ struct IsoContext;
 using PerformFunction = bool (*)(IsoContext&, BlockPlan&);
 
 /// What a plan function leaves for its perform function. A chapter adds its struct, which owns no memory.
-using PlanPayload = std::variant<std::monostate, Dwell, MachineMove, ThreadStart, Smoothing, SkipMove,
-                                 LengthMove, Holes, ZoneChange, OffsetChange, FrameChange, ToolTableInput>;
+using PlanPayload =
+    std::variant<std::monostate, Dwell, MachineMove, ThreadStart, Smoothing, SkipMove, LengthMove, Holes,
+                 ZoneChange, OffsetChange, FrameChange, ToolTableInput, TiltInput>;
 static_assert(std::is_trivially_destructible_v<PlanPayload>);
 
 /// What the motion codes share: axisTarget() fills target and named, the rest belongs to the motion.

@@ -45,6 +45,19 @@ struct AutomaticBits {
   bool no_exact_stop = false;
 };
 
+/// Tilted planes and what follows the rotary axes (manual chapter 25).
+struct FiveAxisState {
+  FrameStep tilt;                ///< of G68.1, G68.2: from programmed to workpiece coordinates
+  std::int8_t rotations = 0;     ///< G68.1 in force, one or two
+  bool tilted = false;           ///< G68.2 is in force
+  bool on_table = false;         ///< the coordinates turn with the tables: since G53.1
+  bool along_tool = false;       ///< the length offset follows the heads: G43.1, and G43 since G53.1
+  std::int8_t dynamic_zero = 0;  ///< P of G54.2; 0: it is off
+  bool any() const { return rotations > 0 || tilted || on_table || follows(); }
+  /// Do the coordinates depend on where the rotary axes are?
+  bool follows() const { return on_table || along_tool || dynamic_zero > 0; }
+};
+
 /// Everything that a block may change and that stays. A value that owns no memory: blocks work on a copy. A
 /// chapter with modal words of its own adds one struct as a member.
 struct IsoState {
@@ -69,6 +82,7 @@ struct IsoState {
   AutomaticBits automatic;
   AxisModal axes;
   Transforms transforms;
+  FiveAxisState five;
 
   /// The plane by its axes.
   WorkPlane workPlane() const { return WorkPlane(axes.plane_u, axes.plane_v, axes.plane_w); }

@@ -34,6 +34,8 @@ std::size_t rowsOf(ParamChapter chapter) {
       return static_cast<std::size_t>(ProgramParam::kCount);
     case ParamChapter::kSafety:
       return static_cast<std::size_t>(SafetyParam::kCount);
+    case ParamChapter::kFiveAxis:
+      return static_cast<std::size_t>(FiveAxisParam::kCount);
     case ParamChapter::kCount:
       break;
   }

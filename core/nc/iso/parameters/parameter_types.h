@@ -44,6 +44,7 @@ enum class ParamChapter : std::uint8_t {
   kFunctions,
   kProgram,
   kSafety,
+  kFiveAxis,
   kCount
 };
 /// A row of the table.

@@ -16,6 +16,7 @@
 #include "core/nc/iso/parameters/cycles.h"
 #include "core/nc/iso/parameters/data.h"
 #include "core/nc/iso/parameters/feeds.h"
+#include "core/nc/iso/parameters/five_axis.h"
 #include "core/nc/iso/parameters/functions.h"
 #include "core/nc/iso/parameters/machine.h"
 #include "core/nc/iso/parameters/macro.h"

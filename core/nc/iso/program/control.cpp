@@ -9,6 +9,7 @@
 #include "core/nc/iso/block/auxiliary.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/machine_data.h"
 #include "core/nc/iso/motion/axis_setup.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/perform/perform.h"
@@ -81,6 +82,7 @@ bool IsoControl::start() {
   if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
   if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
   if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
+  if (!takeMachineData(c)) return false;
   powerOn(c);
   configureFeeds(c);
   if (!c.stages.zone.configure()) return false;

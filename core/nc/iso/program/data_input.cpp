@@ -25,6 +25,7 @@ constexpr auto kForms = std::to_array<InputForm>({
     {12, planMillingOffset},
     {13, planMillingOffset},
     {20, planWorkOffset},
+    {21, planDynamicOffset},
     {52, planParameterInput},
     {110, planMillingOffset},
     {111, planMillingOffset},

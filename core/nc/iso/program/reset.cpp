@@ -54,6 +54,10 @@ void resetGroup(const IsoState& fresh, std::size_t group, IsoState& s) {
   Transforms& t = s.transforms;
   if (group == kGroupPlane) s.takePlane(fresh);
   if (group == kGroupLengthComp) s.length = fresh.length;
+  if (group == kGroupLengthComp) s.five.along_tool = false;
+  if (group == kGroupTilt) s.five.tilt = FrameStep();
+  if (group == kGroupTilt) s.five.rotations = s.five.tilted = s.five.on_table = false;
+  if (group == kGroupWorkSystem) s.five.dynamic_zero = 0;
   if (group == kGroupCycle) s.cycle = fresh.cycle;
   if (group == kGroupWorkSystem) s.work_system = fresh.work_system;
   if (group == kGroupScaling) t.scales = t.scales_further = false;

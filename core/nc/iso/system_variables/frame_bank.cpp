@@ -62,15 +62,28 @@ FrameBank::Cell FrameBank::dynamicCell(int number) const {
   const int offset = number - (high ? kDynamicHigh : kDynamicLow);
   Cell cell;
   if (offset == 0) {
-    cell.kind = Cell::Kind::kNothing;
+    cell.kind = Cell::Kind::kDynamicInForce;
     return cell;
   }
   cell.system = (offset - 1) / axes - 1;
   if (axisOf((offset - 1) % axes + 1, cell)) {
-    cell.kind = cell.system < 0 ? Cell::Kind::kNothing : Cell::Kind::kDynamic;
+    cell.kind = cell.system < 0 ? Cell::Kind::kDynamicNow : Cell::Kind::kDynamic;
   }
   return cell;
 }
+
+namespace {
+
+/// The zero of G54.2 in force, turned with the tables, machine coordinates; 0 while it is off.
+AxisPoint dynamicZeroNow(const IsoContext& c) {
+  const int p = c.state.five.dynamic_zero;
+  if (p == 0) return {};
+  AxisPoint now = c.registers.dynamic_zeros[static_cast<std::size_t>(p - 1)];
+  now.xyz = c.five_axes.dynamicZero(c.five_axes.at(c.machine), now.xyz, c.five_axes.at(now));
+  return now;
+}
+
+}  // namespace
 
 FrameBank::Cell FrameBank::find(int number) const {
   if (number >= kRotations) {
@@ -99,7 +112,11 @@ VariableStatus FrameBank::read(int number, Value& out) {
   switch (cell.kind) {
     case Cell::Kind::kNone:
       return VariableStatus::kUnknown;
-    case Cell::Kind::kNothing:
+    case Cell::Kind::kDynamicInForce:
+      out.number = c_.state.five.dynamic_zero;
+      break;
+    case Cell::Kind::kDynamicNow:
+      out.number = dynamicZeroNow(c_)[cell.axis] / unitOf(c_, cell.axis);
       break;
     case Cell::Kind::kOffset:
       out.number = frames.system(cell.system).offset[cell.axis] / unitOf(c_, cell.axis);
@@ -111,7 +128,8 @@ VariableStatus FrameBank::read(int number, Value& out) {
       out.origin = frames.system(cell.system).angles_by[static_cast<std::size_t>(cell.axis)];
       break;
     case Cell::Kind::kDynamic:
-      out.number = dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] / unitOf(c_, cell.axis);
+      out.number = c_.registers.dynamic_zeros[static_cast<std::size_t>(cell.system)][cell.axis] /
+                   unitOf(c_, cell.axis);
       break;
   }
   return VariableStatus::kDone;
@@ -120,11 +138,13 @@ VariableStatus FrameBank::read(int number, Value& out) {
 VariableStatus FrameBank::write(int number, const Value& value) {
   const Cell cell = find(number);
   if (cell.kind == Cell::Kind::kNone) return VariableStatus::kUnknown;
-  if (cell.kind == Cell::Kind::kNothing) return VariableStatus::kReadOnly;
+  if (cell.kind == Cell::Kind::kDynamicInForce || cell.kind == Cell::Kind::kDynamicNow)
+    return VariableStatus::kReadOnly;
   if (!(std::abs(value.number) <= kMaxValue)) return VariableStatus::kLimit;
   const double amount = value.vacant ? 0.0 : value.number;
   if (cell.kind == Cell::Kind::kDynamic) {
-    dynamic_[static_cast<std::size_t>(cell.system)][cell.axis] = amount * unitOf(c_, cell.axis);
+    c_.registers.dynamic_zeros[static_cast<std::size_t>(cell.system)][cell.axis] =
+        amount * unitOf(c_, cell.axis);
     return VariableStatus::kDone;
   }
   if (!c_.flushPipe()) return VariableStatus::kReported;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/nc/macro/variables.h"
 
 namespace proveout::nc {
@@ -11,7 +11,7 @@ namespace proveout::nc {
 struct IsoContext;
 
 /// Read and written in the unit in force. A written cell of the system in force moves the coordinates of what
-/// follows. Dynamic offsets are kept in their table and read back; none is ever in force (G54.2 is refused).
+/// follows.
 class FrameBank : public VariableBank {
  public:
   explicit FrameBank(IsoContext& context) : c_(context) {}
@@ -23,7 +23,7 @@ class FrameBank : public VariableBank {
   static constexpr int kDynamicSystems = 8;
   /// A cell, found by its number.
   struct Cell {
-    enum class Kind { kNone, kOffset, kRotation, kDynamic, kNothing } kind = Kind::kNone;
+    enum class Kind { kNone, kOffset, kRotation, kDynamic, kDynamicInForce, kDynamicNow } kind = Kind::kNone;
     int system = 0;  ///< WorkSystemId; of dynamic offsets 0 to 7
     int axis = 0;    ///< index; of rotations the axis turned about
   };
@@ -33,7 +33,6 @@ class FrameBank : public VariableBank {
   bool axisOf(int number, Cell& cell) const;
 
   IsoContext& c_;
-  std::array<AxisPoint, kDynamicSystems> dynamic_;
 };
 
 }  // namespace proveout::nc

@@ -13,6 +13,7 @@ enum class Reading {
   kMachine,      ///< with all compensations
   kPresent,      ///< work coordinates, with all compensations
   kSkip,         ///< the same where a measuring move stopped
+  kSkipOther,    ///< the same in the system that N1755.PCS does not choose
   kSkipMachine,  ///< machine coordinates
   kLength,       ///< length offset in force
   kNothing,      ///< always 0 here: lag of the servos, shift of the handwheel, distance to go
@@ -32,13 +33,27 @@ constexpr auto kRows = std::to_array<Row>({
     {5100, 100250, Reading::kNothing, "SVERR"},
     {-1, 100650, Reading::kNothing, "MIRTP"},
     {5180, 100800, Reading::kNothing, "DIST"},
-    {-1, 151000, Reading::kSkip, nullptr},
+    {-1, 151000, Reading::kSkipOther, nullptr},
     {-1, 151100, Reading::kSkipMachine, nullptr},
 });
 
-/// The coordinates of work space without (`tip`) or with the length offset.
-CoordinateChain chainOf(const IsoContext& c, bool tip) {
-  return c.registers.frames.chain(c.map, c.state.work_system, tip ? c.state.length : AxisPoint());
+/// Coordinates without (`tip`) or with the length offset, of the tilted plane that is programmed in or of the
+/// workpiece (manual 25.19).
+struct Shown {
+  bool tip = false, tilted = false;
+};
+CoordinateChain chainOf(const IsoContext& c, const Shown& shown) {
+  IsoState state = c.state;
+  if (!shown.tip) {
+    state.length = AxisPoint();
+    state.five.along_tool = false;
+  }
+  if (!shown.tilted) {
+    state.five.tilt = FrameStep();
+    state.five.tilted = false;
+    state.five.rotations = 0;
+  }
+  return c.chainOf(state);
 }
 
 AxisPoint standing(const IsoContext& c) {
@@ -46,9 +61,9 @@ AxisPoint standing(const IsoContext& c) {
 }
 
 /// Where the machine is, in program coordinates; during G12.1 and G7.1 those of the plane.
-AxisPoint present(const IsoContext& c, bool tip) {
+AxisPoint present(const IsoContext& c, const Shown& shown) {
   const AxisPoint machine = standing(c);
-  return chainOf(c, tip).programOf(c.stages.virtual_plane.linked() ? c.stages.virtual_plane.shown(machine)
+  return chainOf(c, shown).programOf(c.stages.virtual_plane.linked() ? c.stages.virtual_plane.shown(machine)
                                                                    : machine);
 }
 
@@ -61,18 +76,22 @@ double unitOfReading(const IsoContext& c, Reading reading, int axis) {
 }
 
 AxisPoint pointOf(const IsoContext& c, Reading reading) {
-  const bool tip = c.parameters.flag(DataParam::kTipPositions);
+  const bool tip = c.parameters.flag(DataParam::kTipPositions),
+             tilted = c.parameters.flag(DataParam::kProgramCoordinates);
+  const SkipPosition& skip = c.registers.skip;
   switch (reading) {
     case Reading::kBlockEnd:
       return c.position;
     case Reading::kMachine:  // of the machine's own axes during G12.1 and G7.1 too
       return c.state.axes.mode == VirtualMode::kOff ? standing(c) : c.stages.virtual_plane.machine();
     case Reading::kPresent:
-      return present(c, tip);
+      return present(c, {tip, tilted});
     case Reading::kSkip:
-      return tip ? c.registers.skip.tip : c.registers.skip.work;
+      return skip.at[tilted ? 1 : 0][tip ? 1 : 0];
+    case Reading::kSkipOther:
+      return skip.at[tilted ? 0 : 1][tip ? 1 : 0];
     case Reading::kSkipMachine:
-      return tip ? c.registers.skip.machine_tip : c.registers.skip.machine;
+      return tip ? skip.machine_tip : skip.machine;
     case Reading::kLength:
       return c.state.length;
     case Reading::kNothing:
@@ -87,8 +106,10 @@ void recordSkip(IsoContext& c, const AxisPoint& machine) {
   SkipPosition& skip = c.registers.skip;
   skip.machine = skip.machine_tip = machine;
   for (int axis = 0; axis < c.axes.count(); ++axis) skip.machine_tip[axis] -= c.state.length[axis];
-  skip.work = chainOf(c, false).programOf(machine);
-  skip.tip = chainOf(c, true).programOf(machine);
+  for (const bool tilted : {false, true}) {
+    for (const bool tip : {false, true})
+      skip.at[tilted ? 1 : 0][tip ? 1 : 0] = chainOf(c, {tip, tilted}).programOf(machine);
+  }
 }
 
 void PositionBank::addTo(VariableStore& store) {

@@ -1,7 +1,7 @@
 // #5001 to #5200 and #100001 ... #151150: positions, skip positions, length offsets (manual 23.1.15-23.1.17).
 #pragma once
 
-#include "core/nc/kinematics/axis_point.h"
+#include "core/machine/axis_point.h"
 #include "core/nc/macro/variables.h"
 
 namespace proveout::nc {

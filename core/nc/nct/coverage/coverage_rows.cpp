@@ -18,7 +18,7 @@ std::string_view rowStatusName(RowStatus status) {
 
 std::vector<CoverageId> nctRows() {
   std::vector<CoverageId> all;
-  for (const auto rows : {coverage1(), coverage2(), coverage3(), coverage4(), coverage5()}) {
+  for (const auto rows : {coverage1(), coverage2(), coverage3(), coverage4(), coverage5(), coverage6()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;

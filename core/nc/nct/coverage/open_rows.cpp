@@ -8,8 +8,8 @@ namespace {
 // clang-format off: ids separated by blanks
 constexpr OpenRows kOpen[] = {
     {"deferred: turning, gear and five-axis functions are not asked of this control yet",
-     "nct-3-G77.7 nct-3-G78.7 nct-3-G79.7 nct-3-G43.1 nct-3-G43.4 nct-3-G43.5 nct-3-G43.8 nct-3-G43.9 "
-     "nct-3-G53.1 nct-3-G53.6 nct-3-G54.2 nct-3-G68.1 nct-3-G68.2 nct-3-G69.1 nct-3-G70.7 nct-3-G71.7 "
+     "nct-3-G77.7 nct-3-G78.7 nct-3-G79.7 nct-3-G43.4 nct-3-G43.5 nct-3-G43.8 nct-3-G43.9 "
+     "nct-3-G53.6 nct-3-G70.7 nct-3-G71.7 "
      "nct-3-G72.7 nct-3-G73.7 nct-3-G74.7 nct-3-G75.7 nct-3-G76.7 nct-3-G80.8 nct-3-G81.8 "
      "nct-18.2-turning "},
     {"turning cycles are not built for this control",
@@ -20,18 +20,16 @@ constexpr OpenRows kOpen[] = {
      "nct-20.2-sync nct-20.2-park nct-20.3-exchange nct-20.4-mirror nct-20.5-head nct-20.6-gantry "
      "nct-20.7-tandem nct-20.8-inclined "},
     {"five-axis functions are not built",
-     "nct-25.19-151xxx nct-25.1-N3200 nct-25.1-N3201 nct-25.1-N3204 nct-25.1-N3208 nct-25.1-N3205 "
-     "nct-25.1-N3209 nct-25.1-N3206 nct-25.1-N3210 nct-25.1-N3212-RD nct-25.1-N3213 nct-25.1-N3216 "
-     "nct-25.1-N3219 nct-25.1-N3222 nct-25.1-HH nct-25.1-TT nct-25.1-HT nct-25.1-INCL nct-25.2-G43.1 "
-     "nct-25.2-G49 nct-25.2-FOS nct-25.3-G68.1 nct-25.3-G69.1 nct-25.4-G54.2 nct-25.4-FOS "
-     "nct-25.4-SUSP nct-25.4-VAR nct-25.4.1-G10L21 nct-25.5-EX nct-25.6-G68.2 nct-25.6-G69.1 "
-     "nct-25.7-G68.2P1 nct-25.8-G68.2P2 nct-25.8-G68.2P2Q0 nct-25.9-G68.2P3 nct-25.10-G68.2P4 "
-     "nct-25.11-G53.1 nct-25.11-FOS nct-25.11-SEL nct-25.12-EX nct-25.13-G52 nct-25.13-G92 "
-     "nct-25.13-G51 nct-25.13-G51.1 nct-25.13-G68 nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 "
+     "nct-25.19-151xxx "
+     "nct-25.1-N3206 nct-25.1-N3210 "
+     "nct-25.1-N3219 nct-25.1-N3222 "
+     "nct-25.5-EX "
+     "nct-25.12-EX nct-25.13-G92 "
+     "nct-25.13-G51 nct-25.13-G51.1 nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 "
      "nct-25.14-F nct-25.14-G49 nct-25.14-EX nct-25.15-G53.6 nct-25.15-BUF nct-25.16-G43.4P1 "
      "nct-25.16-G43.5P1 nct-25.16-P0 nct-25.16-ARC nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
      "nct-25.17-r nct-25.17-G49 nct-25.18-G5.1Q3 nct-25.18-G5.1Q1 nct-25.18-G5.1Q0 nct-25.18-PAR "
-     "nct-25.18-SBK nct-25.19-PCS nct-25.19-TLC nct-25.19-5041 nct-25.19-5061 nct-25.19-151001 "
+     "nct-25.18-SBK nct-25.19-5061 nct-25.19-151001 "
      "nct-25.19-151101 nct-25.20-BSE nct-25.20-HH nct-25.20-TT nct-25.20-HT nct-25.20-ORD "
      "nct-25.20-HIRTH nct-25.20-JOG nct-25-UNREACH nct-25-ERR "},
 };

@@ -20,7 +20,8 @@ const ParameterTable& nctParameters() {
         .add(ParamChapter::kSpindle, spindleParams())
         .add(ParamChapter::kFunctions, functionParams())
         .add(ParamChapter::kProgram, programParams())
-        .add(ParamChapter::kSafety, safetyParams());
+        .add(ParamChapter::kSafety, safetyParams())
+        .add(ParamChapter::kFiveAxis, fiveAxisParams());
     return table;
   }();
   return kTable;

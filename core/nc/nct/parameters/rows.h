@@ -21,5 +21,6 @@ std::span<const ParamInfo> spindleParams();
 std::span<const ParamInfo> functionParams();
 std::span<const ParamInfo> programParams();
 std::span<const ParamInfo> safetyParams();
+std::span<const ParamInfo> fiveAxisParams();
 
 }  // namespace proveout::nc

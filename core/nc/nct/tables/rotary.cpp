@@ -1,4 +1,4 @@
-// Five axes and gear functions: refused.
+// Five axes; gear functions are refused.
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
 #include "core/nc/nct/tables/tables.h"
@@ -9,16 +9,24 @@ namespace {
 using namespace rows;
 
 constexpr auto kRotaryGCodes = std::to_array<GCode>({
-    refused(431, kGroupLengthComp, kSim, "nct-3-G43.1", "length compensation along the tool axis"),
+    modal(431, kGroupLengthComp, kSim, "nct-3-G43.1 nct-25.2-G43.1 nct-25.2-G49 nct-25.2-FOS",
+          "length compensation along the tool axis", {}, true),
     refused(434, kGroupLengthComp, kSim, "nct-3-G43.4", "tool centre point control 1"),
     refused(435, kGroupLengthComp, kSim, "nct-3-G43.5", "tool centre point control 2"),
     refused(438, kGroupLengthComp, kSim, "nct-3-G43.8", "cutting point control 1"),
     refused(439, kGroupLengthComp, kSim, "nct-3-G43.9", "cutting point control 2"),
-    refused(531, kOneShot, kSim, "nct-3-G53.1", "turn rotary axes to the tool direction"),
+    action(531, kOneShot, kSim, {}, planToolDirection, true,
+           "nct-3-G53.1 nct-25.11-G53.1 nct-25.11-FOS nct-25.11-SEL",
+           "turn rotary axes to the tool direction"),
     refused(536, kOneShot, kSim, "nct-3-G53.6", "turn rotary axes, tool centre held"),
-    refused(681, kGroupTilt, kSim, "nct-3-G68.1", "three-dimensional transformation"),
-    refused(682, kGroupTilt, kSim, "nct-3-G68.2", "inclined plane"),
-    modal(691, kGroupTilt, kSim, "nct-3-G69.1", "three-dimensional transformation off"),
+    action(681, kGroupTilt, kSim, "XYZUVWIJKR", planSpaceRotation, true, "nct-3-G68.1 nct-25.3-G68.1",
+           "three-dimensional transformation"),
+    action(682, kGroupTilt, kSim, "XYZUVWIJKRPQ", planTiltedPlane, true,
+           "nct-3-G68.2 nct-25.6-G68.2 nct-25.7-G68.2P1 nct-25.8-G68.2P2 nct-25.8-G68.2P2Q0 nct-25.9-G68.2P3 "
+           "nct-25.10-G68.2P4",
+           "inclined plane"),
+    modal(691, kGroupTilt, kSim, "nct-3-G69.1 nct-25.3-G69.1 nct-25.6-G69.1",
+          "three-dimensional transformation off", {}, true),
     refused(808, kGroupGear, kState, "nct-3-G80.8", "electronic gear off", true),
     refused(818, kGroupGear, kReject, "nct-3-G81.8", "electronic gear"),
 });

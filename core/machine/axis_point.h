@@ -1,4 +1,4 @@
-// Points in all axes of a channel.
+// Points in all axes of a machine, as one channel moves it.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "core/geometry/types.h"
 
-namespace proveout::nc {
+namespace proveout {
 
 /// Axes that a channel may have: X, Y, Z are 0, 1, 2. As many as there are letters for axes; points of all
 /// axes are copied in every block, so that each one more costs time.
@@ -39,4 +39,4 @@ bool operator==(const AxisPoint& a, const Eigen::MatrixBase<Derived>& b) {
   return a == AxisPoint(b);
 }
 
-}  // namespace proveout::nc
+}  // namespace proveout

@@ -1,0 +1,70 @@
+#include "core/nc/iso/five_axis/five_axis.h"
+
+#include <fmt/core.h>
+
+#include "core/nc/iso/context/words.h"
+#include "core/nc/iso/parameters/five_axis.h"
+
+namespace proveout::nc {
+
+namespace {
+
+/// N3212.FOS: coordinates change, the linear axes stand.
+bool byTransformation(const IsoContext& c) { return c.parameters.flag(FiveAxisParam::kByTransformation); }
+
+bool isCalled(const BlockPlan& plan, IsoGroup group, std::int32_t code10) {
+  const GCode* code = plan.by_group[group];
+  return code != nullptr && code->code10 == code10;
+}
+
+}  // namespace
+
+bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
+  if (c.five_axes.kind == FiveAxisKind::kNone) {
+    return c.alarm(SharedAlarm::kNotImplemented,
+                   "G43.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
+  }
+  plan.next.length = AxisPoint();
+  plan.next.five.along_tool = true;
+  plan.frames_changed = plan.flush = true;
+  return true;
+}
+
+bool planDynamicZero(IsoContext& c, BlockPlan& plan) {
+  if (!c.five_axes.hasTable())
+    return c.alarm(SharedAlarm::kNotImplemented,
+                   "G54.2 needs a machine with a rotary table (N3200 = 2 or 3)");
+  const Word* p = c.word('P');
+  std::int64_t number = 0;
+  if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.2 needs P1 to P8");
+  if (!integerWord(c, *p, 1, static_cast<std::int64_t>(c.registers.dynamic_zeros.size()), number))
+    return false;
+  plan.next.five.dynamic_zero = static_cast<std::int8_t>(number);
+  plan.next.five.on_table = false;
+  plan.flush = true;
+  return true;
+}
+
+bool holdsPosition(const IsoContext& c, const BlockPlan& plan) {
+  if (isCalled(plan, kGroupWorkSystem, gcode::kDynamicZero)) return c.anyAxisWord() || !byTransformation(c);
+  return isCalled(plan, kGroupLengthComp, gcode::kLengthAlongTool) && c.anyAxisWord() && !byTransformation(c);
+}
+
+void followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
+  const AxisPoint end = plan.chain->machineOf(target);
+  const RotaryAngles from = c.five_axes.at(c.machine), to = c.five_axes.at(end);
+  if (from.first == to.first && from.second == to.second) return;
+  plan.new_chain = c.chainOf(plan.next, end);
+  plan.chain = &*plan.new_chain;
+  plan.frames_changed = plan.flush = true;
+  if (!byTransformation(c)) return;  // `target` holds the old coordinates of axes without a word
+  AxisPoint stands = c.machine;
+  stands.more = end.more;
+  stands = plan.chain->programOf(stands);
+  for (int axis = 0; axis < kMainAxes; ++axis) {
+    if (plan.motion.named[static_cast<std::size_t>(axis)]) continue;
+    plan.start[axis] = target[axis] = stands[axis];
+  }
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,21 @@
+// Five axes: length along the tool, dynamic zero, tilted planes (manual 25.2 to 25.11).
+#pragma once
+
+#include "core/nc/iso/context/context.h"
+
+namespace proveout::nc {
+
+/// G69.1, and the end of a definition of a tilted plane that is not whole. False: an error was reported.
+bool planTiltState(IsoContext& c, BlockPlan& plan);
+/// G43.1, and H while it is in force.
+bool planLengthAlongTool(IsoContext& c, BlockPlan& plan);
+/// The P of G54.2.
+bool planDynamicZero(IsoContext& c, BlockPlan& plan);
+/// Whether axes without a word keep their programmed coordinate when the block's frames change: the machine
+/// moves there. Else it stands, and its coordinates change.
+bool holdsPosition(const IsoContext& c, const BlockPlan& plan);
+/// After the axis words: where a rotary axis moves that the coordinates depend on, they are those of its end.
+/// Sets chain, start and the axes of `target` without a word.
+void followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+
+}  // namespace proveout::nc

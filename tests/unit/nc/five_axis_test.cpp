@@ -1,0 +1,467 @@
+// Five axes on the manual's machines: length along the tool, turns of space, tilted planes, dynamic zero, the
+// tool's direction, the control's own data of the machine. Positions are those that the manual prints, and
+// those that its equations give on the test machines.
+//
+// Rows: nct-3-G43.1 nct-3-G53.1 nct-3-G54.2 nct-3-G68.1 nct-3-G68.2 nct-3-G69.1 nct-25.1-N3200
+// nct-25.1-N3201 nct-25.1-N3204 nct-25.1-N3205 nct-25.1-N3208 nct-25.1-N3209 nct-25.1-N3212-RD
+// nct-25.1-N3213 nct-25.1-N3216 nct-25.2-G43.1 nct-25.2-G49 nct-25.2-FOS nct-25.3-G68.1 nct-25.3-G69.1
+// nct-25.4-G54.2 nct-25.4-FOS nct-25.4-SUSP nct-25.4-VAR nct-25.4.1-G10L21 nct-25.6-G68.2 nct-25.6-G69.1
+// nct-25.7-G68.2P1 nct-25.8-G68.2P2 nct-25.8-G68.2P2Q0 nct-25.9-G68.2P3 nct-25.10-G68.2P4 nct-25.11-G53.1
+// nct-25.11-FOS nct-25.11-SEL nct-25.13-G52 nct-25.13-G68 nct-25.19-PCS nct-25.19-TLC nct-25.19-5041
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/machine/machine_chain.h"
+#include "core/nc/kinematics/five_axis_model.h"
+#include "core/nc/registry/interpreter.h"
+#include "tests/support/test_machines.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kPrinted = 9e-5;  // half of the last printed digit in three coordinates
+
+struct Outcome {
+  Toolpath path;
+  InterpretSummary summary;
+  std::string error;
+};
+
+/// A machine with H1 = 100 and its zero, as the manual's examples take it.
+ControlSettings settingsOf(const MachineModel& machine, const Vec3& zero) {
+  ControlSettings settings;
+  settings.machine = machine;
+  int number = 4;
+  for (std::size_t k = 3; k < machine.axes.size(); ++k) {
+    AxisSettings axis;
+    axis.name = machine.axes[k].name;
+    axis.number = number++;
+    axis.kind = machine.axes[k].kind;
+    axis.carries = RotaryCarries::kNothing;
+    axis.limit = machine.axes[k].travel;
+    settings.axes.push_back(axis);
+  }
+  settings.work_offsets[0] = zero;
+  settings.work_given[0] = true;
+  settings.start = {0, 0, 0};
+  settings.length_offsets[1] = {100.0, 0.0};
+  settings.gauge_lengths[1] = 100.0;
+  settings.tool = 1;
+  return settings;
+}
+
+Outcome runOf(const std::string& text, const ControlSettings& settings) {
+  Outcome out;
+  ToolpathBuilder sink(out.path);
+  out.summary = interpret(ControlId::kNct, MemoryProgramSource("main.nc", text + "\nM30\n"), settings, sink);
+  for (const Diagnostic& d : out.path.diagnostics.all()) {
+    if (d.severity == Severity::kError && out.error.empty()) out.error = d.code + ": " + d.message;
+  }
+  return out;
+}
+
+/// Where the tip is at the end of a line of the program (from 1), in the workpiece frame, and its axis.
+ToolPose endOf(const Outcome& out, std::uint32_t line) {
+  ToolPose pose{Vec3::Constant(1e9), Vec3::Zero()};
+  for (const Motion& m : out.path.motions) {
+    if (m.source.line != line) continue;
+    pose.tip = m.to;
+    pose.axis = m.axis >= 0 ? out.path.axes[static_cast<std::size_t>(m.axis)].to : Vec3(Vec3::UnitZ());
+  }
+  return pose;
+}
+double rotaryAt(const Outcome& out, std::uint32_t line, std::string_view name) {
+  double value = 1e9;
+  for (const Motion& m : out.path.motions) {
+    if (m.source.line != line || m.axis < 0) continue;
+    const AxisSweep& sweep = out.path.axes[static_cast<std::size_t>(m.axis)];
+    for (int k = 0; k < sweep.rotary_count; ++k) {
+      const RotaryPosition& r = sweep.rotary[static_cast<std::size_t>(k)];
+      if (r.name.data() == name) value = r.to;
+    }
+  }
+  return value;
+}
+
+void expectTip(const Outcome& out, std::uint32_t line, const Vec3& tip) {
+  EXPECT_EQ(out.error, "");
+  const Vec3 found = endOf(out, line).tip;
+  EXPECT_LT((found - tip).norm(), kPrinted)
+      << "line " << line << ": " << found.transpose() << " for " << tip.transpose();
+}
+
+const Vec3 kTableZero(400, 300, -420);
+
+TEST(LengthAlongTool, TheTipHoldsItsPlaceAtTheEnds) {
+  const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 Z100 H1\nA45\nG49 Z300",
+                            settingsOf(test::machineCA(), Vec3::Zero()));
+  expectTip(out, 2, {0, 0, 100});
+  expectTip(out, 3, {0, 0, 100});
+  const Vec3 axis = endOf(out, 3).axis;
+  EXPECT_LT((axis - Vec3(0, -std::sqrt(0.5), std::sqrt(0.5))).norm(), 1e-12);
+  // With G49 the numbers are those of the control point again: it has gone to Y-70.7107.
+  expectTip(out, 4, {0, 0, 300 - 70.7107});
+  // Between the ends the tip leaves its place: at A22.5 it is where the manual's equations say.
+  bool seen = false;
+  for (const Motion& m : out.path.motions) {
+    if (m.source.line != 3 || m.axis < 0) continue;
+    seen = seen || (m.to - Vec3(0, 2.9130, 92.9674)).norm() < 2e-3;
+  }
+  EXPECT_TRUE(seen);
+}
+
+TEST(LengthAlongTool, UnprogrammedAxesKeepTheirProgrammedCoordinate) {
+  const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 A30 C60 H1\nA45",
+                            settingsOf(test::machineCA(), Vec3::Zero()));
+  expectTip(out, 2, {0, 0, 100});
+  expectTip(out, 3, {0, 0, 100});
+  EXPECT_NEAR(rotaryAt(out, 3, "C"), 60.0, 1e-12);
+}
+
+TEST(LengthAlongTool, AloneItMovesNothing) {
+  const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 H1\n#1=#5003\nX[#1+5]",
+                            settingsOf(test::machineCA(), Vec3::Zero()));
+  for (const Motion& m : out.path.motions) EXPECT_NE(m.source.line, 2u);
+  expectTip(out, 4, {5, 0, 0});  // the tip is at Z100 - H1, and the programmed Z says so
+}
+
+TEST(LengthAlongTool, ByTransformationTheCoordinatesChange) {
+  ControlSettings settings = settingsOf(test::machineCA(), Vec3::Zero());
+  settings.parameters["N3212.FOS"] = 1.0;
+  const Outcome first = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 Z100 H1\nA45", settings);
+  expectTip(first, 3, {0, 70.7107, 129.2893});
+  const Outcome second = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 A30 C60 H1", settings);
+  expectTip(second, 2, {-43.3013, 25, 13.3975});
+}
+
+TEST(LengthAlongTool, AWrongLengthShowsInThePath) {
+  ControlSettings settings = settingsOf(test::machineCA(), Vec3::Zero());
+  settings.length_offsets[1] = {90.0, 0.0};  // the tool is 100 long
+  const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 Z100 H1\nA90", settings);
+  expectTip(out, 2, {0, 0, 90});
+  expectTip(out, 3, {0, 10, 100});
+}
+
+/// The tip that a block behind `frame` at X Y Z gives.
+Vec3 throughFrame(const std::string& frame, const Vec3& p) {
+  const Outcome out = runOf(frame + fmt::format("\nG0 X{} Y{} Z{}", p.x(), p.y(), p.z()),
+                            settingsOf(test::plainMachine(), Vec3::Zero()));
+  EXPECT_EQ(out.error, "") << frame;
+  return out.path.motions.empty() ? Vec3(Vec3::Constant(1e9)) : out.path.motions.back().to + Vec3(0, 0, 100);
+}
+
+void expectFrame(const std::string& frame, const Vec3& p, const Vec3& tip) {
+  const Vec3 found = throughFrame(frame, p);
+  EXPECT_LT((found - tip).norm(), kPrinted)
+      << frame << ": " << found.transpose() << " for " << tip.transpose();
+}
+
+TEST(TiltedPlane, TurnsOfSpace) {
+  expectFrame("G68.1 X10 Y20 Z30 I0 J0 K1 R30\nG68.1 X5 Y0 Z0 I0 J1 K0 R45", {1, 2, 3},
+              {15.7796, 25.6463, 31.4142});
+  expectFrame("G68.1 X10 Y20 Z30 I0 J1 K0 R45\nG68.1 X5 Y0 Z0 I0 J0 K1 R30", {1, 2, 3},
+              {15.5621, 22.2321, 28.6805});
+  expectFrame("G68.1 X10 Y20 Z30 I0 J0 K1 R30\nG69.1", {1, 2, 3}, {1, 2, 3});
+}
+
+TEST(TiltedPlane, OneFrameInFiveForms) {
+  for (const char* frame :
+       {"G68.2 X200 Y0 Z50 I90 J30 K0", "G68.2 P1 Q123 X200 Y0 Z50 I30 J0 K90",
+        "G68.2 P2 Q1 X200 Y0 Z50\nG68.2 P2 Q2 X200 Y100 Z50\nG68.2 P2 Q3 X113.3974596 Y0 Z100",
+        "G68.2 P3 Q1 X200 Y0 Z50 I0 J100 K0\nG68.2 P3 Q2 I50 J0 K86.6025404",
+        "G68.2 P4 X200 Y0 Z50 I30 J0 K90"}) {
+    expectFrame(frame, {10, 20, 30}, {197.6795, 10, 85.9808});
+  }
+}
+
+TEST(TiltedPlane, OrdersOfRollPitchYaw) {
+  const struct {
+    const char* order;
+    Vec3 p;
+  } rows[] = {{"123", {20.9704, 6.0540, 30.3907}}, {"132", {21.1817, 4.0217, 30.5804}},
+              {"213", {18.5019, 8.2737, 31.4519}}, {"231", {15.8859, 7.6283, 33.0068}},
+              {"312", {18.5418, 3.5612, 32.3036}}, {"321", {16.2513, 5.5560, 33.2420}}};
+  for (const auto& row : rows)
+    expectFrame(fmt::format("G68.2 P1 Q{} I30 J20 K10", row.order), {10, 20, 30}, row.p);
+}
+
+TEST(TiltedPlane, PointsWithCorrection) {
+  expectFrame(
+      "G68.2 P2 Q1 X10 Y0 Z0\nG68.2 P2 Q2 X10 Y50 Z0\nG68.2 P2 Q3 X0 Y0 Z20\nG68.2 P2 Q0 X5 Y6 Z7 R30",
+      {1, 2, 3}, {15.2628, 4.8660, 11.8351});
+  expectFrame("G68.2 P3 Q1 I1 J0 K0\nG68.2 P3 Q2 I1 J0 K1", {1, 2, 3}, {1, 2, 3});
+}
+
+TEST(TiltedPlane, ANewOneReplacesTheOld) {
+  expectFrame("G68.2 X1 Y2 Z3 I10 J20 K30\nG68.2 X200 Y0 Z50 I90 J30 K0", {10, 20, 30},
+              {197.6795, 10, 85.9808});
+}
+
+TEST(TiltedPlane, ShiftsAndTurnsOfTheProgramComeFirst) {
+  expectFrame("G68.2 X200 Y0 Z50 I90 J30 K0\nG52 X10 Y20 Z30", {0, 0, 0}, {197.6795, 10, 85.9808});
+  expectFrame("G68.2 X200 Y0 Z50 I90 J30 K0\nG17 G68 X0 Y0 R90", {20, -10, 30}, {197.6795, 10, 85.9808});
+}
+
+TEST(TiltedPlane, ErrorsOfTheDefinition) {
+  const struct {
+    const char* program;
+    const char* code;
+  } rows[] = {{"G68.2 P1 I10 J20 K30", "nct-2039"},
+              {"G68.2 P1 Q111 I10 J20 K30", "nct-2039"},
+              {"G68.2 P2 Q4 X0 Y0 Z0", "nct-2039"},
+              {"G68.2 P3 Q3 I0 J0 K1", "nct-2039"},
+              {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q3 X0 Y0 Z1\nG0 X1", "nct-2064"},
+              {"G68.2 P3 Q1 I0 J0 K1\nG0 X1", "nct-2064"},
+              {"G68.2 P2 Q0 X1", "nct-2064"},
+              {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q2 X1 Y0 Z0\nG68.2 P2 Q3 X2 Y0 Z0", "nct-2088"},
+              {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q2 X0 Y0 Z0\nG68.2 P2 Q3 X2 Y0 Z0", "nct-2088"},
+              {"G68.2 P3 Q1 I1 J0 K0\nG68.2 P3 Q2 I2 J0 K0", "nct-2088"},
+              {"G68.2 P4 I90 J90", "nct-2088"},
+              {"G68.2 P4 I90 J-90", "nct-2088"},
+              {"G68.1 I1 J1 R30", "nct-tilt-axis"},
+              {"G68.1 R30", "nct-2004"},
+              {"G68.1 K1", "nct-2004"},
+              {"G68.1 K1 R1\nG68.1 K1 R1\nG68.1 K1 R1", "nct-tilt"},
+              {"G53.1", "nct-2019"},
+              {"G68.2 I0 J30 K0\nG53.1 X5", "nct-2017"}};
+  for (const auto& row : rows) {
+    const Outcome out = runOf(row.program, settingsOf(test::machineCB(), Vec3::Zero()));
+    const bool any_range = std::string_view(row.code) == "nct-tilt-axis";
+    EXPECT_TRUE(out.error.starts_with(any_range ? "nct-2002" : row.code)) << row.program << ": " << out.error;
+  }
+}
+
+TEST(DynamicZero, GoesWithTheTable) {
+  const MachineModel ac = test::trunnion('A');
+  const struct {
+    double a, c;
+    Vec3 zero;
+    const char* table;
+  } rows[] = {{0, 0, {450, 300, -420}, "X50 Y0 Z40"},
+              {0, 90, {400, 250, -420}, "X50 Y0 Z40"},
+              {30, 0, {450, 340, -430.7180}, "X50 Y0 Z40"},
+              {30, 90, {400, 296.6987, -405.7180}, "X50 Y0 Z40"},
+              {30, 70, {417.1010, 299.3101, -407.2257}, "X50 Y0 Z40 A0 C20"},
+              {30, 70, {410.5740, 313.2202, -407.4538}, "X50 Y0 Z40 A10 C20"}};
+  for (const auto& row : rows) {
+    // The machine coordinates: the tip of a tool without length, seen from machine zero with all tables at 0.
+    const nc::FiveAxisModel model = nc::fiveAxisModelOf(ac);
+    const bool turned = std::string_view(row.table).find('A') != std::string_view::npos;
+    const bool both = std::string_view(row.table).find("A10") != std::string_view::npos;
+    const nc::RotaryAngles measured{both ? 10.0 : 0.0, turned ? 20.0 : 0.0};
+    const Vec3 zero =
+        model.dynamicZero({row.a + measured.first, row.c + measured.second}, {50, 0, 40}, measured);
+    EXPECT_LT((zero - row.zero).norm(), kPrinted) << row.table << ": " << zero.transpose();
+  }
+  const Outcome out =
+      runOf("G10 L21 P1 X50 Y0 Z40\nG0 G54 X0 Y0 Z100\nG43 H1 Z50\nG54.2 P1 G0 X0 Y0 Z0 A30 C90",
+            settingsOf(ac, Vec3(450, 300, -420)));
+  // The tip is on the point of the table that the zero goes with, from the side that the table has turned
+  // there.
+  expectTip(out, 4, {0, 0, 0});
+}
+
+TEST(DynamicZero, ATableThatTurnsInALineBendsIt) {
+  const Outcome out = runOf("G10 L21 P1 X0 Y0 Z40\nG43 H1 G0 Z50\nG54.2 P1 G1 X-50 Y0 Z0 B0 F1000\nX50 B30",
+                            settingsOf(test::trunnion('B'), kTableZero));
+  expectTip(out, 3, {-50, 0, 0});
+  expectTip(out, 4, {43.3013, 0, -25});
+  bool seen = false;
+  for (const Motion& m : out.path.motions)
+    seen = seen || (m.source.line == 4 && (m.to - Vec3(0, 0, -2.7259)).norm() < 2e-3);
+  EXPECT_TRUE(seen);
+}
+
+/// Variables tell what is in force (25.4); G53 goes to machine positions whatever it is.
+TEST(DynamicZero, IsReadAndSuspended) {
+  const Outcome out = runOf(
+      "G10 L21 P3 X50 Y0 Z40\nG43 H1 G0 Z50\nG54.2 P3 G0 X0 Y0 Z0 A30 "
+      "C90\n#1=#5500\n#2=#5501\n#3=#5502\n#4=#5503\n"
+      "G53 X#2 Y#3 Z[#4+100+#1]\nX0 Y0 Z0\nG54 G0 X0",
+      settingsOf(test::trunnion('A'), Vec3(450, 300, -420)));
+  EXPECT_EQ(out.error, "");
+  // The machine is 3 mm above the zero, by the length of the tool: so is the tip, along the tool's direction.
+  const ToolPose pose = endOf(out, 8);
+  EXPECT_LT((pose.tip - 3.0 * pose.axis).norm(), kPrinted);
+  expectTip(out, 9, {0, 0, 0});
+}
+
+TEST(DynamicZero, NeedsATable) {
+  EXPECT_TRUE(runOf("G54.2 P1", settingsOf(test::machineCB(), Vec3::Zero())).error.starts_with("nct-2123"));
+  EXPECT_TRUE(runOf("G54.2", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2004"));
+  EXPECT_TRUE(runOf("G54.2 P9", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2002"));
+}
+
+std::string toolDirectionProgram(const char* angles) {
+  return fmt::format(
+      "N10 G17 G54 G0 X0 Y0\nN20 G43 Z0 H1\nN30 G68.2 X100 Y100 Z50 {}\nN40 G53.1\nN50 X0 Y0 Z0", angles);
+}
+
+TEST(ToolDirection, HeadsTurnAndTheTipHolds) {
+  const Outcome out = runOf(toolDirectionProgram("I90 J45 K0"), settingsOf(test::machineCB(), Vec3::Zero()));
+  EXPECT_NEAR(rotaryAt(out, 4, "B"), 45.0, 1e-9);
+  EXPECT_NEAR(rotaryAt(out, 4, "C"), 0.0, 1e-9);
+  expectTip(out, 4, {0, 0, 0});
+  expectTip(out, 5, {100, 100, 50});
+  EXPECT_LT((endOf(out, 5).axis - Vec3(std::sqrt(0.5), 0, std::sqrt(0.5))).norm(), 1e-9);
+}
+
+TEST(ToolDirection, TablesTurnTheWorkpiece) {
+  const Outcome out = runOf(toolDirectionProgram("I90 J45 K0"), settingsOf(test::trunnion('A'), kTableZero));
+  EXPECT_NEAR(rotaryAt(out, 4, "A"), 45.0, 1e-9);
+  EXPECT_NEAR(rotaryAt(out, 4, "C"), 90.0, 1e-9);
+  expectTip(out, 4, {0, 0, 0});
+  expectTip(out, 5, {100, 100, 50});
+  EXPECT_LT((endOf(out, 5).axis - Vec3(std::sqrt(0.5), 0, std::sqrt(0.5))).norm(), 1e-9);
+}
+
+TEST(ToolDirection, HeadAndTable) {
+  const Outcome out = runOf(toolDirectionProgram("I0 J45 K0"), settingsOf(test::headTable(), kTableZero));
+  EXPECT_NEAR(rotaryAt(out, 4, "B"), -45.0, 1e-9);
+  EXPECT_NEAR(rotaryAt(out, 4, "C"), 90.0, 1e-9);
+  expectTip(out, 4, {0, 0, 0});
+  expectTip(out, 5, {100, 100, 50});
+}
+
+TEST(ToolDirection, ByTransformationOnlyTheRotaryAxesMove) {
+  const struct {
+    MachineModel machine;
+    Vec3 zero, tip;
+    const char* angles;
+  } rows[] = {{test::machineCB(), Vec3::Zero(), {-176.7767, 0, 73.2233}, "I90 J45 K0"},
+              {test::trunnion('A'), kTableZero, {56.5685, 0, -23.4315}, "I90 J45 K0"},
+              {test::headTable(), kTableZero, {0, 176.7767, 73.2233}, "I0 J45 K0"}};
+  for (const auto& row : rows) {
+    ControlSettings settings = settingsOf(row.machine, row.zero);
+    settings.parameters["N3212.FOS"] = 1.0;
+    const Outcome out = runOf(toolDirectionProgram(row.angles), settings);
+    expectTip(out, 4, row.tip);
+    expectTip(out, 5, {100, 100, 50});
+  }
+}
+
+TEST(ToolDirection, BeyondTravelTheOtherPairIsTaken) {
+  MachineModel machine = test::trunnion('A');
+  machine.axes[3].travel = AxisLimit{-120, 30};
+  const Outcome out = runOf(toolDirectionProgram("I90 J45 K0"), settingsOf(machine, kTableZero));
+  EXPECT_NEAR(rotaryAt(out, 4, "A"), -45.0, 1e-9);
+  EXPECT_NEAR(rotaryAt(out, 4, "C"), -90.0, 1e-9);
+  expectTip(out, 5, {100, 100, 50});
+  machine.axes[3].travel = AxisLimit{-40, 30};
+  const Outcome none = runOf(toolDirectionProgram("I90 J45 K0"), settingsOf(machine, kTableZero));
+  EXPECT_TRUE(none.error.starts_with("nct-unreachable")) << none.error;
+  EXPECT_NE(none.error.find("A -40 to 30"), std::string::npos) << none.error;
+}
+
+/// The faces of the manual's tetrahedron (25.12): one program on every machine.
+TEST(ToolDirection, OneProgramOnEveryMachine) {
+  const std::string program =
+      "N10 G0 G54 G17 G90 G49 Z50\nN20 X0 Y0\nN40 G43 Z50 H1\nN50 G68.2 X0 Y0 Z0 I-90 J70.529 K90\nN60 "
+      "G53.1\n"
+      "N80 X-57.736 Y0 Z0\nN90 Z50\nN110 G68.2 X0 Y0 Z0 I30 J70.529 K90\nN120 G53.1\nN140 X-57.736 Y0 "
+      "Z0\nN150 Z50\n"
+      "N170 G68.2 X0 Y0 Z0 I150 J70.529 K90\nN180 G53.1\nN200 X-57.736 Y0 Z0";
+  const struct {
+    MachineModel machine;
+    Vec3 zero;
+    const char *first, *second;
+    double angles[3][2];
+  } rows[] = {
+      {test::machineCB(), Vec3::Zero(), "C", "B", {{0, -70.529}, {-60, 70.529}, {-120, -70.529}}},
+      {test::trunnion('A'), kTableZero, "A", "C", {{70.529, -90}, {70.529, 30}, {70.529, 150}}},
+      {test::trunnion('B'), kTableZero, "B", "C", {{-70.529, 0}, {-70.529, 120}, {-70.529, 240}}},
+      {test::headTable(), kTableZero, "B", "C", {{-70.529, 0}, {70.529, -60}, {-70.529, -120}}},
+  };
+  for (const auto& row : rows) {
+    const Outcome out = runOf(program, settingsOf(row.machine, row.zero));
+    const std::uint32_t turns[] = {5, 9, 13}, drills[] = {6, 10, 14};
+    const Vec3 points[] = {{-19.245, 0, -54.434}, {9.623, -16.667, -54.434}, {9.623, 16.667, -54.434}};
+    const Vec3 normals[] = {{-0.9428, 0, 0.3333}, {0.4714, -0.8165, 0.3333}, {0.4714, 0.8165, 0.3333}};
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_NEAR(std::remainder(rotaryAt(out, turns[k], row.first) - row.angles[k][0], 360.0), 0, 1e-6)
+          << row.first << k;
+      EXPECT_NEAR(std::remainder(rotaryAt(out, turns[k], row.second) - row.angles[k][1], 360.0), 0, 1e-6)
+          << row.second << k;
+      const ToolPose pose = endOf(out, drills[k]);
+      EXPECT_LT((pose.tip - points[k]).norm(), 1e-3) << out.error;
+      EXPECT_LT((pose.axis - normals[k]).norm(), 1e-4);
+    }
+  }
+}
+
+/// What a warning of this code says; empty: there is none.
+std::string warningOf(const Outcome& out, std::string_view code) {
+  for (const Diagnostic& d : out.path.diagnostics.all()) {
+    if (d.code == code) return d.message;
+  }
+  return {};
+}
+
+/// The same machine by the control's parameters: nothing is told, and the path is the same.
+TEST(MachineData, ParametersThatSayWhatTheMachineIsChangeNothing) {
+  ControlSettings settings = settingsOf(test::trunnion('A'), kTableZero);
+  const Outcome own = runOf(toolDirectionProgram("I90 J45 K0"), settings);
+  settings.parameters = {{"N3200", 2},    {"N3201", 3},     {"N3204", 4},   {"N3205", 1},
+                         {"N3208", 5},    {"N3209", 3},     {"N3213", 400}, {"N3214", 300},
+                         {"N3215", -500}, {"N3212.RD1", 1}, {"N3218", 40},  {"N3212.RD2", 1}};
+  const Outcome given = runOf(toolDirectionProgram("I90 J45 K0"), settings);
+  EXPECT_EQ(warningOf(given, "nct-machine-data"), "");
+  ASSERT_EQ(own.path.motions.size(), given.path.motions.size());
+  for (std::size_t k = 0; k < own.path.motions.size(); ++k)
+    EXPECT_EQ(own.path.motions[k].to, given.path.motions[k].to);
+}
+
+TEST(MachineData, AWrongParameterShowsInThePath) {
+  ControlSettings settings = settingsOf(test::trunnion('A'), kTableZero);
+  settings.parameters["N3213"] = 401;  // a point of the table's axis, 1 mm beside where it is
+  settings.parameters["N3215"] = -501;
+  const Outcome out = runOf(toolDirectionProgram("I90 J45 K0"), settings);
+  EXPECT_NE(warningOf(out, "nct-machine-data").find("N3213 = 401, but the machine has 400"),
+            std::string::npos);
+  EXPECT_EQ(out.error, "");
+  // A turns by 45 degrees about an axis 1 mm too low for the control, C by 90 about one 1 mm aside.
+  const Vec3 off = endOf(out, 5).tip - Vec3(100, 100, 50);
+  EXPECT_GT(off.norm(), 0.5);
+  EXPECT_LT(off.norm(), 3.0);
+}
+
+TEST(MachineData, WhatNoMachineHasIsRefused) {
+  ControlSettings settings = settingsOf(test::trunnion('A'), kTableZero);
+  settings.parameters["N3204"] = 9;
+  EXPECT_TRUE(runOf("G0 X0", settings).error.starts_with("nct-machine-data"))
+      << runOf("G0 X0", settings).error;
+  settings.parameters = {{"N3205", 3}, {"N3209", 3}};
+  EXPECT_TRUE(runOf("G0 X0", settings).error.starts_with("nct-machine-data"));
+}
+
+/// #5041 and its like under a tilted plane and a length along the tool (25.19).
+TEST(PositionVariables, OfTiltedPlanesAndLengths) {
+  const std::string program =
+      "G54 G0 X0 Y0 Z0\nG43 Z0 H1\nG68.2 X100 Y100 Z50 I90 J45 K0\nG53.1\nX10 Y20 Z30\n#1=#5041\n#2=#5042\n"
+      "#3=#5043\nG69.1 G49\nG1 F100 X#1 Y#2 Z[#3+5]";
+  const auto read = [&](bool tilted, bool tip) {
+    ControlSettings settings = settingsOf(test::machineCB(), Vec3::Zero());
+    settings.gauge_lengths.clear();
+    if (tilted) settings.parameters["N1755.PCS"] = 1;
+    if (tip) settings.parameters["N1755.TLC"] = 1;
+    const Outcome out = runOf(program, settings);
+    EXPECT_EQ(out.error, "");
+    // With G49 and the head at B45 the control point is where the variables say.
+    const MachineChain chain(*settings.machine, Vec3::Zero());
+    AxisPoint head;
+    head[4] = 45.0;
+    return Vec3(endOf(out, 10).tip - chain.pose(head, 0.0).tip - Vec3(0, 0, 5));
+  };
+  const double r = std::sqrt(0.5);
+  // The tip in workpiece coordinates: origin + 10 x' + 20 y' + 30 z'.
+  const Vec3 tip = Vec3(100, 100, 50) + 10.0 * Vec3(0, 1, 0) + 20.0 * Vec3(-r, 0, r) + 30.0 * Vec3(r, 0, r);
+  const Vec3 length(176.7767, 0, 26.7767 + 0.0);
+  EXPECT_LT((read(false, true) - tip).norm(), kPrinted);
+  EXPECT_LT((read(false, false) - (tip + length)).norm(), 1e-3);
+  EXPECT_LT((read(true, true) - Vec3(10, 20, 30)).norm(), kPrinted);
+}
+
+}  // namespace
+}  // namespace proveout
