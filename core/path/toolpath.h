@@ -153,12 +153,6 @@ struct Toolpath {
   Vec3 pointAt(const Motion& m, double u) const;
   /// Bounds of the control point's path, exact for arcs.
   Box3 bounds(const Motion& m) const;
-  /// Does the tool's direction turn on the way?
-  bool turnsTool(const Motion& m) const {
-    if (m.axis < 0) return false;
-    const AxisSweep& axis = axes[static_cast<std::size_t>(m.axis)];
-    return !(axis.from == axis.to);
-  }
   /// Length of the control point's path, mm (spirals: to 1e-9 relative by Simpson's rule).
   double length(const Motion& m) const;
 };

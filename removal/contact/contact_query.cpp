@@ -192,15 +192,14 @@ void ContactSearch::findSweep(std::size_t i, const Triangle& t, Face& face) {
   const std::uint32_t motion = query_.surface_.mesh.motion[i];
   const Motion& m = query_.path_.motions[motion];
   const auto solid = query_.solids_.find(m.tool);
-  if (solid == query_.solids_.end()) return;
-  const ArcGeometry* arc = m.arc < 0 ? nullptr : &query_.path_.arcs[static_cast<std::size_t>(m.arc)];
+  if (solid == query_.solids_.end() || wayOf(query_.path_, m).turns()) return;
   const std::vector<ConvexProfile>& parts = solid->second.cutter;
   double least = kCornerOff * query_.h_;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     Face tried = face;
     auto known = sweeps_.find({motion, k});
     if (known == sweeps_.end())
-      known = sweeps_.emplace(std::pair(motion, k), motionField(parts[k], m, arc)).first;
+      known = sweeps_.emplace(std::pair(motion, k), motionField(parts[k], wayOf(query_.path_, m))).first;
     tried.sweep = &known->second;
     const double off = cornersOff(t, tried);
     if (off > least) continue;
@@ -321,7 +320,8 @@ void ContactSearch::findFree(const ConvexProfile& part) {
   if (!((to_ - from_).norm() > 0.0)) return;
   std::map<int, bool> cuts;  // by tool: whether it has such a part
   for (const Motion& motion : query_.path_.motions) {
-    if (motion.arc >= 0 || motion.kind == MotionKind::kProbe) continue;
+    const MotionWay cut = wayOf(query_.path_, motion);
+    if (motion.arc >= 0 || motion.kind == MotionKind::kProbe || cut.leans() || cut.turns()) continue;
     const auto [known, fresh] = cuts.try_emplace(motion.tool, false);
     if (fresh) {
       const auto solid = query_.solids_.find(motion.tool);

@@ -121,6 +121,9 @@ bool isPointed(const ConvexProfile& profile, double h) {
   return lowest.arc || lowest.dz != 0.0 || lowest.br < h;
 }
 
+/// The lowest end of the part, seen from the tool's control point.
+Vec3 tipOf(const Pass& pass) { return pass.body.profile().zMin() * pass.body.axis(); }
+
 /// Follows the tips of pointed cutters on their watched motions: what they meet between the samples.
 class TipTracer {
  public:
@@ -149,8 +152,9 @@ std::vector<std::uint32_t> TipTracer::passes() const {
     // A spindle that the program never starts is told once, from the samples.
     if (motion.kind != MotionKind::kRapid && !scene_.fixture && !spindle_used) continue;
     Box3 way = scene_.path.bounds(motion);
-    way.min.z() += pass.body.profile().zMin();
-    way.max.z() += pass.body.profile().zMin();
+    const Vec3 tip = tipOf(pass);
+    way.min += tip;
+    way.max += tip;
     if (way.overlaps(reach_)) numbers.push_back(i);
   }
   return numbers;
@@ -167,8 +171,7 @@ void TipTracer::follow(std::uint32_t number, std::vector<ContactSample>& samples
     deepest.depth = 0.0;
   };
   for (double way = 0.0;; way = std::min(way, length)) {
-    const Vec3 tip = scene_.path.pointAt(motion, length > 0.0 ? way / length : 0.0) +
-                     Vec3(0.0, 0.0, pass.body.profile().zMin());
+    const Vec3 tip = scene_.path.pointAt(motion, length > 0.0 ? way / length : 0.0) + tipOf(pass);
     const double depth = scene_.depth.at(tip, pass.motion, hint).value;
     if (depth > deepest.depth) {
       deepest.depth = depth;

@@ -27,7 +27,9 @@ struct ToolParts {
     const ConvexProfile* profile;
     ColumnSolid columns;
     ToolPart part;
-    std::unique_ptr<Envelope> envelope = nullptr;  ///< made where it is asked for
+    // Made where they are asked for.
+    std::unique_ptr<Envelope> envelope = nullptr;
+    std::unique_ptr<Envelope> lean_envelope = nullptr;  ///< for where the tool leans
   };
   /// A solid that holds all that comes near to a part. It does not cut.
   struct Envelope {

@@ -15,8 +15,10 @@ bool OwnTrack::isHere(const Vec3& p) const {
   return std::abs(p.x() - at_.x()) < kOnePlaceMm && std::abs(p.y() - at_.y()) < kOnePlaceMm;
 }
 
-bool OwnTrack::holds(const Motion& next, const ToolParts& tool, const ToolParts::Part& part,
+bool OwnTrack::holds(const MotionWay& way, const ToolParts& tool, const ToolParts::Part& part,
                      double top) const {
+  const Motion& next = way.motion;
+  if (way.leans() || way.turns()) return false;
   if (next.tool != tool_ || next.arc >= 0 || !isHere(next.from) || !isHere(next.to)) return false;
   if (std::min(next.from.z(), next.to.z()) < low_ - kOnePlaceMm) return false;
   // A cutter that is nowhere wider than at its level top covers what it has below it on its way up.
@@ -25,8 +27,10 @@ bool OwnTrack::holds(const Motion& next, const ToolParts& tool, const ToolParts:
   return low_ + cutter.zMax() >= top && part.profile->maxRadius() <= cutter.maxRadius();
 }
 
-void OwnTrack::add(const Motion& motion) {
-  if (motion.kind == MotionKind::kProbe) {  // cuts nothing
+void OwnTrack::add(const MotionWay& way) {
+  const Motion& motion = way.motion;
+  // Measuring cuts nothing, and what leans no upright way.
+  if (motion.kind == MotionKind::kProbe || way.leans() || way.turns()) {
     tool_ = -1;
     return;
   }

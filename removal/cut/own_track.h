@@ -10,10 +10,10 @@ namespace proveout {
 class OwnTrack {
  public:
   /// Whether all that `part` of `tool` sweeps on the next motion has been cut by the motions up to it, below
-  /// the height `top`, mm. Never told of what is not so; of ways that are not upright, and of tools that cut
-  /// under what they leave, always false.
-  bool holds(const Motion& next, const ToolParts& tool, const ToolParts::Part& part, double top) const;
-  void add(const Motion& motion);
+  /// the height `top`, mm. Never told of what is not so; of ways that are not upright, of tools that lean,
+  /// and of those that cut under what they leave, always false.
+  bool holds(const MotionWay& next, const ToolParts& tool, const ToolParts::Part& part, double top) const;
+  void add(const MotionWay& way);
 
  private:
   bool isHere(const Vec3& p) const;

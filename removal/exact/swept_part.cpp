@@ -37,8 +37,7 @@ class CutBodies {
   template <typename Ask>
   auto withSweep(const Body& b, const Ask& ask) const {
     if (b.curve >= 0) return ask(curves_[static_cast<std::size_t>(b.curve)]);
-    const Motion& m = path_.motions[b.motion];
-    return ask(motionField(*b.profile, m, nullptr));
+    return ask(motionField(*b.profile, wayOf(path_, path_.motions[b.motion])));
   }
 
  public:
@@ -83,7 +82,8 @@ class CutBodies {
   void add(MotionId id) {
     const Motion& m = path_.motions[id];
     const auto solid = solids_.find(m.tool);
-    if (m.kind == MotionKind::kProbe || solid == solids_.end()) return;
+    // Where the axis turns the tool touches nothing, or there was no removal.
+    if (m.kind == MotionKind::kProbe || solid == solids_.end() || wayOf(path_, m).turns()) return;
     for (const ConvexProfile& profile : solid->second.cutter) {
       if (m.arc < 0) {
         addLine(id, profile);
@@ -105,11 +105,13 @@ class CutBodies {
       addBox(m, profile, static_cast<double>(i) / count, static_cast<double>(i + 1) / count, 0.0);
   }
 
-  /// Level circles have a closed form, however long they are; other curves are taken in pieces.
+  /// Circles about the tool's axis have a closed form, however long they are; other curves are taken in
+  /// pieces.
   void addArc(MotionId id, const ConvexProfile& profile, const ArcGeometry& arc) {
     const Motion& m = path_.motions[id];
     const ArcFrame frame = arcFrame(m.from, m.to, arc);
-    const bool circle = arc.normal.head<2>().isZero(1e-12) && std::abs(frame.rise) < kSameMm &&
+    const MotionWay way = wayOf(path_, m);
+    const bool circle = arc.normal.cross(way.direction()).isZero(1e-12) && std::abs(frame.rise) < kSameMm &&
                         std::abs(frame.radius_end - frame.radius_start) < kSameMm;
     const int count = static_cast<int>(
         std::clamp(std::ceil(std::abs(arc.sweep_rad) / kBoxTurn), 1.0, static_cast<double>(kMostBoxes)));
@@ -121,8 +123,9 @@ class CutBodies {
       if (!circle || i == 0) {
         bodies_.push_back({id, &profile, static_cast<std::int32_t>(curves_.size())});
         const ArcGeometry piece{arc.center + from * frame.rise * frame.n, arc.normal, arc.sweep_rad / count};
-        curves_.emplace_back(profile, circle ? m.from : arcPoint(frame, arc, from),
-                             circle ? m.to : arcPoint(frame, arc, to), circle ? &arc : &piece);
+        Motion part = m;
+        if (!circle) part.from = arcPoint(frame, arc, from), part.to = arcPoint(frame, arc, to);
+        curves_.push_back(motionField(profile, {part, circle ? &arc : &piece, way.axis}));
       }
       addBox(m, profile, from, to, slack);
     }
@@ -131,7 +134,7 @@ class CutBodies {
   /// Around the way from one parameter of the motion to another, for the last body.
   void addBox(const Motion& m, const ConvexProfile& profile, double from, double to, double slack) {
     const Vec3 a = path_.pointAt(m, from), b = path_.pointAt(m, to);
-    boxes_.push_back(partBounds(profile, m, {a.cwiseMin(b), a.cwiseMax(b)}, slack));
+    boxes_.push_back(partBounds(profile, wayOf(path_, m), {a.cwiseMin(b), a.cwiseMax(b)}, slack));
     body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
   }
 

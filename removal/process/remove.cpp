@@ -45,6 +45,7 @@ class Remover {
         progress_(progress),
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
+        turns_in_air_(options.turns_in_air),
         spindle_used_(startsSpindle(path)),
         uncut_(impl.uncut),
         blank_(impl.uncut != nullptr ? impl.uncut : impl.field),
@@ -65,6 +66,7 @@ class Remover {
   RemovalSummary summary() const;
 
  private:
+  Error turningError(MotionId id) const;
   void addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part);
   bool needsEnvelope(const Motion& m, const ToolParts::Part& part) const;
   void addEnvelope(MotionId id, ToolParts::Part& part);
@@ -99,7 +101,7 @@ class Remover {
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
-  bool watch_all_, spindle_used_, any_envelope_ = false;
+  bool watch_all_, turns_in_air_, spindle_used_, any_envelope_ = false;
   std::shared_ptr<const BlankField> uncut_;  ///< as Impl::uncut, before the path
   std::shared_ptr<const BlankField> blank_;  ///< the blank before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
@@ -159,7 +161,7 @@ void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part)
   const Motion& m = path_.motions[id];
   const bool watched =
       watch_all_ || part.part != ToolPart::kCutter || m.kind == MotionKind::kRapid || m.spindle == 0.0;
-  if (watched && needsEnvelope(m, part) && !track_.holds(m, tool, part, impl_.blank.max.z()))
+  if (watched && needsEnvelope(m, part) && !track_.holds(wayOf(path_, m), tool, part, impl_.blank.max.z()))
     addEnvelope(id, part);
   addPasses(id, part, watched);
 }
@@ -169,17 +171,21 @@ void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part)
 bool Remover::needsEnvelope(const Motion& m, const ToolParts::Part& part) const {
   if (!watch_all_ && !spindle_used_ && part.part == ToolPart::kCutter && m.kind != MotionKind::kRapid)
     return false;
-  return partBounds(*part.profile, m, path_.bounds(m), 0.0).overlaps(impl_.blank);
+  return partBounds(*part.profile, wayOf(path_, m), path_.bounds(m), 0.0).overlaps(impl_.blank);
 }
 
 void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
-  if (part.envelope == nullptr) {
-    part.envelope = std::make_unique<ToolParts::Envelope>(
-        offsetProfile(*part.profile, kNearLevel * impl_.h, kNearUpright * impl_.h));
+  const bool leans = wayOf(path_, path_.motions[id]).leans();
+  std::unique_ptr<ToolParts::Envelope>& envelope = leans ? part.lean_envelope : part.envelope;
+  if (envelope == nullptr) {
+    // What is level in the grid may be anything in a tool that leans.
+    const double any = std::hypot(kNearLevel, kNearUpright);
+    envelope = std::make_unique<ToolParts::Envelope>(offsetProfile(
+        *part.profile, (leans ? any : kNearLevel) * impl_.h, (leans ? any : kNearUpright) * impl_.h));
   }
   any_envelope_ = true;
   const std::size_t first = table_.passes.size();
-  addPasses(id, part.envelope->body, true);
+  addPasses(id, envelope->body, true);
   for (std::size_t i = first; i < table_.passes.size(); ++i) {
     table_.passes[i].part = part.part;
     table_.passes[i].around = static_cast<std::int32_t>(table_.passes.size() - i);
@@ -211,6 +217,13 @@ bool inOrder(const PassTable& table) {
   return table.first.back() == table.passes.size();
 }
 
+Error Remover::turningError(MotionId id) const {
+  const Motion& m = path_.motions[id];
+  const std::string file = m.source.file < path_.files.size() ? path_.files[m.source.file] : "";
+  return inputError(
+      fmt::format("{}:{}: the tool's axis turns in this motion, which cannot be cut", file, m.source.line));
+}
+
 Status Remover::preparePasses() {
   table_.passes.reserve(path_.motions.size());
   table_.first.reserve(path_.motions.size() + 1);
@@ -228,11 +241,15 @@ Status Remover::preparePasses() {
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
+    if (wayOf(path_, m).turns()) {
+      if (!turns_in_air_) return turningError(id);
+      track_.add(wayOf(path_, m));
+      continue;
+    }
     // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
     if (m.kind == MotionKind::kProbe && !watch_all_) continue;
-    if (path_.turnsTool(m)) continue;  // known to be clear of all that is there
     for (ToolParts::Part& part : found->second.parts) addPart(id, found->second, part);
-    track_.add(m);
+    track_.add(wayOf(path_, m));
     if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {
       return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
     }

@@ -5,12 +5,15 @@
 #include <variant>
 
 #include "removal/sweep/kinds/curve_bodies.h"
+#include "removal/sweep/kinds/lean_arc_body.h"
+#include "removal/sweep/kinds/lean_line_body.h"
 #include "removal/sweep/kinds/level_arc_body.h"
 #include "removal/sweep/kinds/line_body.h"
 
 namespace proveout {
 
 /// A kind of body with its way.
-using BodyKind = std::variant<LineBody, ChordBody, LevelArcBody, TurnBody, UprightBody, WayBody>;
+using BodyKind = std::variant<LineBody, ChordBody, LevelArcBody, TurnBody, UprightBody, WayBody, LeanLineBody,
+                              LeanChordBody, LeanArcBody>;
 
 }  // namespace proveout

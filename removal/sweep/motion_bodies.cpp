@@ -24,26 +24,35 @@ constexpr double kLeastCurve = 1e-3;
 
 }  // namespace
 
-SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc) {
-  return SweptField(profile, motion.from, motion.to, arc);
+SweptField motionField(const ConvexProfile& profile, const MotionWay& way) {
+  PROVEOUT_ASSERT(!way.turns());
+  const Motion& m = way.motion;
+  if (way.leans()) return SweptField(profile, ToolFrame(way.direction()), m.from, m.to, way.arc);
+  return SweptField(profile, m.from, m.to, way.arc);
 }
 
-Box3 partBounds(const ConvexProfile& profile, const Motion& /*motion*/, const Box3& way, double slack) {
-  const double r = profile.maxRadius() + slack;
-  return {way.min + Vec3(-r, -r, profile.zMin() - slack), way.max + Vec3(r, r, profile.zMax() + slack)};
+Box3 partBounds(const ConvexProfile& profile, const MotionWay& way, const Box3& tip, double slack) {
+  const double r = profile.maxRadius();
+  const Box3 part = way.leans() ? leaningBounds(profile, ToolFrame(way.direction()))
+                                : Box3{Vec3(-r, -r, profile.zMin()), Vec3(r, r, profile.zMax())};
+  return Box3{tip.min + part.min, tip.max + part.max}.inflated(slack);
 }
 
 const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part) {
   PROVEOUT_ASSERT(id < path_.motions.size() && part.profile != nullptr && part.solid != nullptr);
   bodies_.clear();
   const Motion& m = path_.motions[id];
+  if (const MotionWay way = wayOf(path_, m); way.leans()) {
+    addLeaning(way, part);
+    return bodies_;
+  }
   if (m.arc < 0) {
     bodies_.push_back({SweptBody(*part.profile, LineBody(columnLine(*part.solid, m.from, m.to)))});
     return bodies_;
   }
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < path_.arcs.size());
   const ArcGeometry& arc = path_.arcs[static_cast<std::size_t>(m.arc)];
-  const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, m, &arc));
+  const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, wayOf(path_, m)));
   const ArcFrame frame = arcFrame(m.from, m.to, arc);
   if (isLevelArc(arc, frame)) {
     bodies_.push_back(
@@ -52,6 +61,60 @@ const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part)
     addChords(m, frame, part, curve);
   }
   return bodies_;
+}
+
+void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
+  const Motion& m = way.motion;
+  const ToolFrame tool(way.direction());
+  if (way.arc == nullptr) {
+    bodies_.push_back({SweptBody(
+        *part.profile, LeanLineBody(store_.lean_lines.emplace_back(*part.profile, tool, m.from, m.to)))});
+    return;
+  }
+  const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, way));
+  const ArcGeometry arc = tool.toTool(*way.arc);
+  if (isLevelArc(arc, arcFrame(tool.toTool(m.from), tool.toTool(m.to), arc))) {
+    addLeanArcs(way, tool, part, curve);
+  } else {
+    addLeanChords(way, tool, part, curve);
+  }
+}
+
+/// Quarters of a circle about the tool's axis, and the intervals in which a column may meet each.
+void BodyMaker::addLeanArcs(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
+                            const SweptField& curve) {
+  const Motion& m = way.motion;
+  const ArcFrame frame = arcFrame(m.from, m.to, *way.arc);
+  const int count =
+      static_cast<int>(std::max(1.0, std::ceil(std::abs(way.arc->sweep_rad) / (0.5 * kPi) - 1e-9)));
+  const ArcGeometry quarter{way.arc->center, way.arc->normal, way.arc->sweep_rad / count};
+  Vec3 from = m.from;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 to = i + 1 == count ? m.to : arcPoint(frame, *way.arc, (i + 1.0) / count);
+    const LeanArc& arc = store_.lean_arcs.emplace_back(*part.profile, tool, from, to, quarter);
+    from = to;
+    for (int number = 0; number < LeanArc::kMostSpans; ++number)
+      bodies_.push_back({SweptBody(*part.profile, LeanArcBody(arc, number), &curve)});
+  }
+}
+
+/// Chords of helices about the tool's axis and of arcs about other axes.
+void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
+                              const SweptField& curve) {
+  const Motion& m = way.motion;
+  const ArcFrame frame = arcFrame(m.from, m.to, *way.arc);
+  const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6});
+  const double within = std::min(part.cuts ? kChordMm : kContactChordMm, radius);
+  const double step = std::sqrt(8.0 * within / radius);
+  const int count =
+      static_cast<int>(std::clamp(std::ceil(std::abs(way.arc->sweep_rad) / step), 1.0, kMostChords));
+  Vec3 from = m.from;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 to = i + 1 == count ? m.to : arcPoint(frame, *way.arc, (i + 1.0) / count);
+    const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to);
+    from = to;
+    bodies_.push_back({SweptBody(*part.profile, LeanChordBody(line), &curve)});
+  }
 }
 
 bool BodyMaker::isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const {

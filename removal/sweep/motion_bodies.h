@@ -9,6 +9,7 @@
 #include "core/path/toolpath.h"
 #include "removal/sweep/column_way.h"
 #include "removal/sweep/swept_body.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 
@@ -16,13 +17,15 @@ namespace proveout {
 struct BodyStore {
   std::deque<SweptField> fields;  ///< of motions of which there may be several pieces
   std::deque<CurveWay> ways;
+  std::deque<LeanLine> lean_lines;
+  std::deque<LeanArc> lean_arcs;
 };
 
-/// The field of a part on a whole motion; `arc`: the motion's, null for lines. `profile` must outlive it.
-SweptField motionField(const ConvexProfile& profile, const Motion& motion, const ArcGeometry* arc);
+/// The field of a part on a whole motion, whose axis must not turn. `profile` must outlive it.
+SweptField motionField(const ConvexProfile& profile, const MotionWay& way);
 
-/// Bounds of a part while its tip is in the box `way`, on this motion, mm; `slack` mm wider.
-Box3 partBounds(const ConvexProfile& profile, const Motion& motion, const Box3& way, double slack);
+/// Bounds of a part while its tip is in the box `tip`, on this motion, mm; `slack` mm wider.
+Box3 partBounds(const ConvexProfile& profile, const MotionWay& way, const Box3& tip, double slack);
 
 /// A convex part of a tool and what it is for.
 struct PartUse {
@@ -50,6 +53,10 @@ class BodyMaker {
   const std::vector<MotionBody>& make(MotionId id, const PartUse& part);
 
  private:
+  void addLeaning(const MotionWay& way, const PartUse& part);
+  void addLeanArcs(const MotionWay& way, const ToolFrame& tool, const PartUse& part, const SweptField& curve);
+  void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
+                     const SweptField& curve);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;
   bool addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
   void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);

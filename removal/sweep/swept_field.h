@@ -8,6 +8,7 @@
 #include <utility>
 #include <variant>
 
+#include "removal/sweep/leaning_sweep.h"
 #include "removal/sweep/sweep.h"
 
 namespace proveout {
@@ -20,6 +21,11 @@ class SweptField {
   /// A part whose axis stays upright, on a line or, with `arc`, on a curve. `profile` must outlive the field.
   SweptField(const ConvexProfile& profile, const Vec3& from, const Vec3& to, const ArcGeometry* arc)
       : way_(std::in_place_type<Sweep>, profile, from, to, arc) {}
+  /// The same of a part whose axis leans but stands still, as that of `frame`. Points of the way and all
+  /// that is asked and answered are of the workpiece frame.
+  SweptField(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from, const Vec3& to,
+             const ArcGeometry* arc)
+      : way_(std::in_place_type<LeaningSweep>, profile, frame, from, to, arc) {}
 
   /// Distance at `p`, mm, on lines to within `tolerance`, mm. Values above `cutoff` may be returned as any
   /// lower bound above `cutoff`.
@@ -63,7 +69,7 @@ class SweptField {
   }
 
  private:
-  std::variant<Sweep> way_;
+  std::variant<Sweep, LeaningSweep> way_;
 };
 
 }  // namespace proveout

@@ -19,6 +19,7 @@
 #include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/tool/tool_table.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 namespace {
@@ -294,7 +295,7 @@ class Diagnosis {
     const double radius = tool == nullptr ? 0.0
                           : tool->insert  ? tool->insert->nose_radius
                                           : 0.5 * tool->diameter;
-    if (!partTurns(setup) && tool != nullptr) {
+    if (!partTurns(setup) && tool != nullptr && !wayOf(setup.interpreted.path, m).leans()) {
       if (const std::optional<Vec3> tip = tipAt(p, m, *tool)) return {placeOn(m, *tip), 0.0};
     }
     const Vec3 at = partTurns(setup) ? controlAt(p, tool) : p.p;

@@ -10,6 +10,7 @@
 #include "core/mesh/signed_distance.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 
@@ -41,13 +42,19 @@ Toolpath near(const Toolpath& path, const std::vector<Tool>& tools, const Box3& 
     const double reach = reachOf(tools, motion.tool);
     Box3 swept = path.bounds(motion).inflated(reach);
     swept.max.z() = std::max(swept.max.z(), box.max.z());
-    if (!swept.overlaps(box)) continue;
+    const MotionWay way = wayOf(path, motion);
+    const bool upright = !way.leans() && !way.turns();
+    if (upright && !swept.overlaps(box)) continue;
     Motion kept = motion;
     if (motion.arc >= 0) {
       kept.arc = static_cast<std::int32_t>(out.arcs.size());
       out.arcs.push_back(path.arcs[static_cast<std::size_t>(motion.arc)]);
     }
     kept.axis = -1;
+    if (!upright) {
+      kept.axis = static_cast<std::int32_t>(out.axes.size());
+      out.axes.push_back(*way.axis);
+    }
     out.motions.push_back(kept);
   }
   return out;

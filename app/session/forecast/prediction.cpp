@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/mesh/tri_mesh.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 namespace {
@@ -105,6 +106,9 @@ constexpr double kSecondsPerDeviationPixel = 0.5e-7;  ///< on top of that: dista
 /// Along a line more leaves are asked than over its ends, which the motions beside it have cut.
 constexpr double kLineCounts = 2.0;
 
+/// Columns of tools that lean are found one by one.
+constexpr double kLeaningCounts = 10.0;
+
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
 constexpr double kMapWork = 1.5e6;
@@ -149,6 +153,7 @@ struct CutterSize {
   bool undercut = false;  ///< wider below than above somewhere
   bool bulges = false;    ///< and that not by a disc alone
   bool flanked = false;   ///< and by flanks
+  double length = 0.0;    ///< from the tip, mm
   bool plain = false;     ///< kernels have vectors for rising spirals: flat and ball ends, bull noses
 };
 
@@ -157,7 +162,11 @@ std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   for (const Tool& tool : tools) {
     const ToolType type = tool.type;
     const bool bulges = hasNeck(type) && type != ToolType::kTSlot;
-    out[tool.number] = {footprintOf(tool), hasNeck(type), bulges, bulges && type != ToolType::kLollipop,
+    out[tool.number] = {footprintOf(tool),
+                        hasNeck(type),
+                        bulges,
+                        bulges && type != ToolType::kLollipop,
+                        tool.flute_length + tool.diameter,
                         type == ToolType::kFlat || type == ToolType::kBall || type == ToolType::kBull};
   }
   return out;
@@ -250,6 +259,15 @@ class Strokes {
       add(part.curves[static_cast<std::size_t>(CurveKind::kChords)], {chords, 0.0});
   }
 
+  /// A tool that leans: the time that it takes, by its shadow. The height map is of what is open to above and
+  /// knows nothing of it.
+  void addLeaning(const Motion& motion, const CutterSize& cutter, Part& part) const {
+    if (!path_.bounds(motion).inflated(cutter.length).overlaps(blank_)) return;
+    const double sides = blank_.size().x() + blank_.size().y();
+    const double ahead = std::min(path_.length(motion) + cutter.length, sides);
+    part.swept_mm2 += kLeaningCounts * ahead * std::min(2.0 * cutter.footprint.radius, sides);
+  }
+
   /// What a motion leaves, of which chords of this length come to the blank.
   CutBy cutBy(const Motion& motion, const CutterSize& cutter) const {
     const Footprint& tool = cutter.footprint;
@@ -278,6 +296,10 @@ class Strokes {
       const Motion& motion = path_.motions[i];
       const auto found = cutters.find(motion.tool);
       const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
+      if (wayOf(path_, motion).leans()) {
+        addLeaning(motion, cutter, part);
+        continue;
+      }
       const double radius = cutter.footprint.radius;
       double segments = 0.0, length_mm = 0.0;
       constexpr double kNowhere = std::numeric_limits<double>::infinity();

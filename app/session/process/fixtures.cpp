@@ -11,6 +11,7 @@
 #include "app/session/run/blank.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
+#include "removal/sweep/tool_frame.h"
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
@@ -31,6 +32,11 @@ Box3 reachOfTools(const SetupRun& setup) {
     const auto tool = bounds.find(motion.tool);
     if (tool == bounds.end()) continue;
     const Box3 way = setup.interpreted.path.bounds(motion);
+    if (const MotionWay how = wayOf(setup.interpreted.path, motion); how.leans() || how.turns()) {
+      const Box3& tip_up = tool->second;  // any direction
+      reach.extend(way.inflated(tip_up.min.cwiseAbs().cwiseMax(tip_up.max.cwiseAbs()).norm()));
+      continue;
+    }
     reach.extend(way.min + tool->second.min);
     reach.extend(way.max + tool->second.max);
   }

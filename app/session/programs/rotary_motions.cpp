@@ -11,6 +11,7 @@
 #include "core/tool/tool_type.h"
 #include "removal/contact/posed_clearance.h"
 #include "removal/grid/shape_field.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 
@@ -97,7 +98,7 @@ bool checkRotaryMotions(Toolpath& path, const RecordingSource& source, const Sur
               name));
       return false;
     }
-    if (axis.from == axis.to) continue;
+    if (!wayOf(path, motion).turns()) continue;
     const ToolSolid* tool = bodies.tool(motion.tool);
     if (tool == nullptr) continue;  // told where tools are assigned
     const auto unclear = firstUnclear(path, motion, axis, *tool, bodies.all());

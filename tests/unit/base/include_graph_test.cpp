@@ -259,10 +259,11 @@ TEST(BodyWall, NobodyElseAsksWhatKindABodyIs) {
   for (const auto& [file, included] : includes()) {
     const std::string all = contentOf(file);
     const bool within = file.starts_with("removal/sweep/");
-    for (const char* name : {"LineBody",       "ChordBody",   "LevelArcBody", "TurnBody",  "UprightBody",
-                             "WayBody",        "BodyKind",    "LineSweep",    "ArcSweep",  "TurnSweep",
-                             "UprightSweep",   "WaySweep",    "columnLine",   "columnArc", "columnTurns",
-                             "columnUprights", "columnParts", "CurveWay",     "kernelsOf", "round_top"}) {
+    for (const char* name :
+         {"LineBody",   "ChordBody", "LevelArcBody", "TurnBody",       "UprightBody",   "WayBody",
+          "BodyKind",   "LineSweep", "ArcSweep",     "TurnSweep",      "UprightSweep",  "WaySweep",
+          "columnLine", "columnArc", "columnTurns",  "columnUprights", "columnParts",   "CurveWay",
+          "kernelsOf",  "round_top", "LeanLine",     "LeanArc",        "LeanChordBody", "LineMeeting"}) {
       const bool named = all.find(name) != std::string::npos;
       if (within) kinds += named ? 1 : 0;
       EXPECT_TRUE(within || !named) << file << ": " << name;

@@ -168,7 +168,7 @@ TEST(MachineFile, WhatIsWrongIsToldWithKeyAndLine) {
       {"box = [[0, 0, -600], [800, 600, -520]]", "cylinder = { from = [0,0,0], to = [0,0,1], radius = 0 }",
        33, "radius"},
       {"name = \"X\"", "name = \"U\"", 9, "'X'"},
-      {"name = \"C\"", "name = \"Q\"", 21, "axis name"},
+      {"name = \"C\"", "name = \"AXN\"", 21, "axis name"},
   };
   for (const auto& row : rows) {
     const Read read = readText(replaced(row.from, row.to));

@@ -1,0 +1,53 @@
+// Bodies of tools whose axis leans but stands still, on arcs about that axis: circles in a tilted plane.
+#pragma once
+
+#include "removal/sweep/kinds/scalar_body.h"
+#include "removal/sweep/tool_frame.h"
+
+namespace proveout {
+
+/// A part of a tool that leans, on an arc about its axis of at most a quarter turn. Lengths in mm.
+struct LeanArc {
+  /// `from`, `to`: of the tip, `arc`: of this radius and without rise; all of the workpiece frame. `profile`
+  /// must outlive this.
+  LeanArc(const ConvexProfile& of, const ToolFrame& frame, const Vec3& from, const Vec3& to,
+          const ArcGeometry& arc);
+
+  /// Of the workpiece's vertical line at (x, y) the interval with this number, counted from below.
+  ColumnSpan column(double x, double y, int number) const;
+  ColumnSpan around(double x, double y, double half_width) const;
+
+  /// A line may come into what a tool of one corner leaves twice; into that of others seldom a third time.
+  static constexpr int kMostSpans = 3;
+
+  const ConvexProfile* profile;
+  ToolFrame frame;
+  Vec3 center;       ///< of the arc at the height of the tip, tool frame
+  double radius;     ///< of the arc
+  Vec2 first, last;  ///< unit, from the centre to the ends, tool frame; last is counterclockwise from first
+  double turn;       ///< +1: the way is counterclockwise, -1: clockwise
+  Box3 bounds;       ///< of the volume, workpiece frame
+};
+
+/// What one of the intervals is. The ends of all are where a line meets the faces of a solid of revolution
+/// about the arc's axis, that of the tool's outer and of its inner side, or the tool at an end of the arc:
+/// roots of quadratics, for round corners and spheres of quartics. Of all these meetings those are ends
+/// between which and the next the volume lies, or does not; that is asked in the middle between them.
+struct LeanArcBody : ScalarBody<LeanArcBody> {
+  LeanArcBody() = default;
+  /// `of` must outlive the body; 0 <= number < kMostSpans.
+  LeanArcBody(const LeanArc& of, int of_number) : arc(&of), number(of_number) {}
+
+  Vec3 axis() const { return arc->frame.axis(); }
+  ColumnSpan column(double x, double y) const { return arc->column(x, y, number); }
+  ColumnSpan around(double x, double y, double half_width) const { return arc->around(x, y, half_width); }
+  double highestReach() const { return arc->bounds.max.z() + kCullSlackMm; }
+  double startAt(const BodyContext& of, const Vec3& p) const { return of.whole->parameterAt(p); }
+  std::optional<double> simpleBend(const ConvexProfile::Element& element) const;
+  Vec3 directionAt(const Vec3& p) const;
+
+  const LeanArc* arc = nullptr;
+  int number = 0;
+};
+
+}  // namespace proveout

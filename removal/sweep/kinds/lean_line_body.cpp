@@ -1,0 +1,70 @@
+#include "removal/sweep/kinds/lean_line_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "removal/sweep/leaning_sweep.h"
+
+namespace proveout {
+
+namespace {
+
+/// A way this near to the tool's axis is one along it, by the part of it that is not.
+constexpr double kAlongAxis = 1e-9;
+
+ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + by}; }
+
+}  // namespace
+
+LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end)
+    : profile(&of), frame(in), from(start), to(end), way(in.toTool(end - start)) {
+  const Box3 tool = leaningBounds(of, frame);
+  bounds = {start.cwiseMin(end) + tool.min, start.cwiseMax(end) + tool.max};
+}
+
+ColumnSpan LeanLine::column(double x, double y) const {
+  if (x < bounds.min.x() || x > bounds.max.x() || y < bounds.min.y() || y > bounds.max.y()) return {};
+  LineMeeting meeting(through({x, y, from.z()}, Vec3::UnitZ()), way);
+  meeting.meet(*profile);
+  return raised(meeting.span(), from.z());
+}
+
+/// No point of the square's columns is farther from the middle one, level, than its corners: where they are
+/// in the volume that is in a cylinder around the part that is wider and longer by that.
+ColumnSpan LeanLine::around(double x, double y, double half_width) const {
+  if (x + half_width < bounds.min.x() || x - half_width > bounds.max.x() || y + half_width < bounds.min.y() ||
+      y - half_width > bounds.max.y())
+    return {};
+  const double grown = std::sqrt(2.0) * half_width + kCullSlackMm;
+  LineMeeting meeting(through({x, y, from.z()}, Vec3::UnitZ()), way);
+  meeting.meetCylinder(profile->maxRadius() + grown, profile->zMin() - grown, profile->zMax() + grown);
+  const ColumnSpan span = raised(meeting.span(), from.z());
+  if (!(span.lo <= span.hi)) return {};
+  return {std::max(span.lo, bounds.min.z()) - kCullSlackMm, std::min(span.hi, bounds.max.z()) + kCullSlackMm};
+}
+
+EdgeCut LeanLineBody::levelCut(const BodyContext&, const Vec3& a, double dx, double dy, double inside) const {
+  LineMeeting meeting(line->through(a, Vec3(dx, dy, 0.0)), line->way);
+  meeting.meet(*line->profile);
+  // A line that only touches the volume meets nothing: the point inside lies on it within rounding.
+  return {std::clamp(meeting.span().lo, 0.0, inside)};
+}
+
+std::optional<double> LeanLineBody::simpleBend(const ConvexProfile::Element& e) const {
+  if (e.arc) return e.cr == 0.0 ? std::optional(1.0 / e.radius) : std::nullopt;
+  if (e.dz == 0.0) return 0.0;
+  if (e.dr != 0.0) return std::nullopt;
+  return wallBend(e.ar, e.ar);
+}
+
+Vec3 LeanLineBody::directionAt(const Vec3&) const {
+  const double length = line->way.norm();
+  if (!(line->way.head<2>().norm() > kAlongAxis * length)) return Vec3::Zero();
+  return (line->to - line->from) / length;
+}
+
+SweptField LeanLineBody::field(const BodyContext& of) const {
+  return SweptField(*of.profile, line->frame, line->from, line->to, nullptr);
+}
+
+}  // namespace proveout

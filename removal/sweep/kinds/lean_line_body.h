@@ -1,0 +1,64 @@
+// Bodies of tools whose axis leans but stands still, on straight ways: lines, and the chords of curves that
+// have no body of their own.
+#pragma once
+
+#include "removal/sweep/kinds/line_meeting.h"
+#include "removal/sweep/tool_frame.h"
+
+namespace proveout {
+
+/// A part of a tool that leans, on a line. Lengths in mm.
+struct LeanLine {
+  /// `from`, `to`: of the tip, workpiece frame. `profile` must outlive this.
+  LeanLine(const ConvexProfile& of, const ToolFrame& frame, const Vec3& from, const Vec3& to);
+
+  /// The line through `p` along a unit direction, both of the workpiece frame; in the tool's frame, its
+  /// origin at the tip's start.
+  SpaceLine through(const Vec3& p, const Vec3& along) const {
+    return {frame.toTool(p - from), frame.toTool(along)};
+  }
+  // As ScalarBody asks.
+  ColumnSpan column(double x, double y) const;
+  ColumnSpan around(double x, double y, double half_width) const;
+
+  const ConvexProfile* profile;
+  ToolFrame frame;
+  Vec3 from, to;  ///< of the tip, workpiece frame
+  Vec3 way;       ///< from the start to the end, tool frame
+  Box3 bounds;    ///< of the volume, workpiece frame
+};
+
+/// The swept volume is convex and meets every line in one interval, whose ends LineMeeting tells.
+struct LeanLineBody : ScalarBody<LeanLineBody> {
+  LeanLineBody() = default;
+  /// `of` must outlive the body.
+  explicit LeanLineBody(const LeanLine& of) : line(&of) {}
+
+  Vec3 axis() const { return line->frame.axis(); }
+  ColumnSpan column(double x, double y) const { return line->column(x, y); }
+  ColumnSpan around(double x, double y, double half_width) const { return line->around(x, y, half_width); }
+  double highestReach() const { return line->bounds.max.z() + kCullSlackMm; }
+  bool isConvex() const { return true; }
+  bool holdsEdges(double, const Vec2&, double) const { return true; }
+
+  EdgeCut levelCut(const BodyContext& of, const Vec3& a, double dx, double dy, double inside) const;
+  std::optional<double> simpleBend(const ConvexProfile::Element& element) const;
+  Vec3 directionAt(const Vec3& p) const;
+  SweptField field(const BodyContext& of) const;
+
+  const LeanLine* line = nullptr;
+};
+
+/// A line that stands for a part of a curve. Its surface is that of the curve.
+struct LeanChordBody : LeanLineBody {
+  using LeanLineBody::LeanLineBody;
+
+  double startAt(const BodyContext& of, const Vec3&) const {
+    return of.whole->parameterAt(0.5 * (line->from + line->to));
+  }
+  std::optional<double> simpleBend(const ConvexProfile::Element&) const { return std::nullopt; }
+  Vec3 directionAt(const Vec3&) const { return Vec3::Zero(); }
+  SweptField field(const BodyContext& of) const { return *of.whole; }
+};
+
+}  // namespace proveout

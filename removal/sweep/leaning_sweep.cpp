@@ -1,0 +1,47 @@
+#include "removal/sweep/leaning_sweep.h"
+
+#include "removal/sweep/convex_cast.h"
+
+namespace proveout {
+
+namespace {
+
+Sweep innerSweep(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from, const Vec3& to,
+                 const ArcGeometry* arc) {
+  if (arc == nullptr) return {profile, frame.toTool(from), frame.toTool(to), nullptr};
+  const ArcGeometry turned = frame.toTool(*arc);
+  return {profile, frame.toTool(from), frame.toTool(to), &turned};
+}
+
+/// Of the tip.
+Box3 boundsOfWay(const Vec3& from, const Vec3& to, const ArcGeometry* arc) {
+  if (arc == nullptr) return {from.cwiseMin(to), from.cwiseMax(to)};
+  Toolpath one;
+  one.arcs.push_back(*arc);
+  Motion motion;
+  motion.from = from;
+  motion.to = to;
+  motion.arc = 0;
+  return one.bounds(motion);
+}
+
+}  // namespace
+
+Box3 leaningBounds(const ConvexProfile& profile, const ToolFrame& frame) {
+  Box3 box;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 direction = frame.toTool(Vec3::Unit(axis));
+    box.max[axis] = furthestPoint(profile, direction).dot(direction);
+    box.min[axis] = furthestPoint(profile, -direction).dot(direction);
+  }
+  return box;
+}
+
+LeaningSweep::LeaningSweep(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from,
+                           const Vec3& to, const ArcGeometry* arc)
+    : frame_(frame), inner_(innerSweep(profile, frame, from, to, arc)) {
+  const Box3 tool = leaningBounds(profile, frame), way = boundsOfWay(from, to, arc);
+  bounds_ = {way.min + tool.min, way.max + tool.max};
+}
+
+}  // namespace proveout
