@@ -1,0 +1,97 @@
+// Heads and tables: one part on three machines, and what must not pass.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "program_runner.h"
+
+namespace proveout::test {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+fs::path partsFolder() { return fs::path(PROVEOUT_SOURCE_DIR) / "parts"; }
+std::string machineFile(const char* name) { return (partsFolder() / "machines" / name).string(); }
+
+class Tetrahedron : public testing::TestWithParam<const char*> {};
+
+/// The manual's part (25.5, 25.12): the same three faces on a head-head, a table-table and a head-table
+/// machine.
+TEST_P(Tetrahedron, PassesOnEveryMachine) {
+  const Workbench bench;
+  const fs::path job = partsFolder() / "tetrahedron" / GetParam();
+  const Outcome outcome = bench.run("run '" + job.string() + "' --resolution 0.5 --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json report = json::parse(readFile(bench.path("out/report.json")));
+  EXPECT_EQ(report["verdict"], "pass");
+  EXPECT_LE(report["comparison"]["max_gouge_mm"].get<double>(), 0.03);
+}
+
+INSTANTIATE_TEST_SUITE_P(Machines, Tetrahedron,
+                         testing::Values("job-hh-255.toml", "job-tt-255.toml", "job-ht-255.toml",
+                                         "job-hh-2512.toml", "job-tt-2512.toml", "job-ht-2512.toml"),
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name.substr(0, name.find('.'));
+                         });
+
+/// An H that is not the tool's length shows in the part: the body follows the gauge length.
+TEST(FiveAxes, AWrongLengthShowsInThePart) {
+  const Workbench bench;
+  fs::copy(partsFolder() / "tetrahedron", bench.path("tetra"), fs::copy_options::recursive);
+  std::string job = readFile(bench.path("tetra/job-hh-255.toml"));
+  const std::size_t at = job.find("1 = 45.0");
+  ASSERT_NE(at, std::string::npos);
+  job.replace(at, 8, "1 = 45.5");
+  bench.write("tetra/wrong.toml", job);
+  const Outcome outcome = bench.run("run tetra/wrong.toml --resolution 0.5 --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+}
+
+/// A table that turns is told in the air and refused where the tool may touch.
+TEST(FiveAxes, TurningIsForTheAir) {
+  const Workbench bench;
+  const std::string job =
+      "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"a.nc\"\n[machine]\nfile = \"" +
+      machineFile("trunnion_ac.toml") +
+      "\"\n[stock]\nshape = \"box\"\nmin = [-20, -20, -20]\nmax = [20, 20, 0]\n[[tool]]\nnumber = 1\ntype = "
+      "\"flat\"\n"
+      "diameter = 8\ngauge_length = 60\n[offsets.work]\nG54 = [400, 300, -430]\n[offsets.length]\n1 = 60\n"
+      "[simulation]\nresolution = 0.5\n";
+  bench.write("job.toml", job);
+  // The block turns about a line 70 mm below its top: its edges, 72.8 mm away from there, come up by 2.8 mm.
+  bench.write("a.nc", "G54 G0 X0 Y0 Z20\nG43 H1 Z2\nM3 S1000\nA60\nZ50\nM30\n");
+  const Outcome low = bench.run("run job.toml --no-render --out low");
+  EXPECT_EQ(low.exit_code, 2) << low.err;
+  EXPECT_TRUE(has(low.err, "posed-motion")) << low.err;
+  EXPECT_TRUE(has(low.err, "a.nc:4")) << low.err;
+  bench.write("a.nc", "G54 G0 X0 Y0 Z20\nG43 H1 Z4\nM3 S1000\nA60\nZ50\nM30\n");
+  const Outcome high = bench.run("run job.toml --no-render --out high");
+  EXPECT_EQ(high.exit_code, 0) << high.err;
+}
+
+TEST(FiveAxes, TheMachineIsShownAndAsked) {
+  const Workbench bench;
+  for (const char* name : {"trunnion_ac.toml", "trunnion_bc.toml", "head_cb.toml", "head_b_table_c.toml",
+                           "inclined_bc.toml", "table_a.toml"}) {
+    const Outcome outcome = bench.run("machine '" + machineFile(name) + "'");
+    EXPECT_EQ(outcome.exit_code, 0) << name << outcome.err;
+    EXPECT_TRUE(has(outcome.out, "tool directions")) << outcome.out;
+  }
+  const Outcome at = bench.run("machine '" + machineFile("head_cb.toml") +
+                               "' --at 'X60 Y236.7767 Z16.7767 C90 B45' --picture m.png");
+  EXPECT_EQ(at.exit_code, 0) << at.err;
+  EXPECT_TRUE(has(at.out, "0.0000, 0.7071, 0.7071")) << at.out;
+  EXPECT_TRUE(bench.exists("m.png"));
+  EXPECT_EQ(bench.run("machine nothing.toml").exit_code, 2);
+  EXPECT_EQ(bench.run("machine '" + machineFile("head_cb.toml") + "' --at 'Q5'").exit_code, 2);
+  EXPECT_EQ(bench.run("machine '" + machineFile("head_cb.toml") + "' --at 'X1e9'").exit_code, 2);
+  bench.write("old.toml", "rapid = 5000\n");
+  EXPECT_EQ(bench.run("machine old.toml").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace proveout::test
