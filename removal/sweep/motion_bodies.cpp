@@ -74,28 +74,19 @@ void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
   const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, way));
   const ArcGeometry arc = tool.toTool(*way.arc);
   if (isLevelArc(arc, arcFrame(tool.toTool(m.from), tool.toTool(m.to), arc))) {
-    addLeanArcs(way, tool, part, curve);
+    addLeanArc(way, tool, part, curve);
   } else {
     addLeanChords(way, tool, part, curve);
   }
 }
 
-/// Quarters of a circle about the tool's axis, and the intervals in which a column may meet each.
-void BodyMaker::addLeanArcs(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
-                            const SweptField& curve) {
+/// A circle about the tool's axis, and the intervals in which a column may meet it.
+void BodyMaker::addLeanArc(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
+                           const SweptField& curve) {
   const Motion& m = way.motion;
-  const ArcFrame frame = arcFrame(m.from, m.to, *way.arc);
-  const int count =
-      static_cast<int>(std::max(1.0, std::ceil(std::abs(way.arc->sweep_rad) / (0.5 * kPi) - 1e-9)));
-  const ArcGeometry quarter{way.arc->center, way.arc->normal, way.arc->sweep_rad / count};
-  Vec3 from = m.from;
-  for (int i = 0; i < count; ++i) {
-    const Vec3 to = i + 1 == count ? m.to : arcPoint(frame, *way.arc, (i + 1.0) / count);
-    const LeanArc& arc = store_.lean_arcs.emplace_back(*part.profile, tool, from, to, quarter);
-    from = to;
-    for (int number = 0; number < LeanArc::kMostSpans; ++number)
-      bodies_.push_back({SweptBody(*part.profile, LeanArcBody(arc, number), &curve)});
-  }
+  const LeanArc& arc = store_.lean_arcs.emplace_back(*part.profile, tool, m.from, m.to, *way.arc);
+  for (int number = 0; number < LeanArc::kMostSpans; ++number)
+    bodies_.push_back({SweptBody(*part.profile, LeanArcBody(arc, number), &curve)});
 }
 
 /// Chords of helices about the tool's axis and of arcs about other axes.

@@ -54,7 +54,7 @@ class BodyMaker {
 
  private:
   void addLeaning(const MotionWay& way, const PartUse& part);
-  void addLeanArcs(const MotionWay& way, const ToolFrame& tool, const PartUse& part, const SweptField& curve);
+  void addLeanArc(const MotionWay& way, const ToolFrame& tool, const PartUse& part, const SweptField& curve);
   void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                      const SweptField& curve);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;

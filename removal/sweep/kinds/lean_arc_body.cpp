@@ -151,6 +151,7 @@ LeanArc::LeanArc(const ConvexProfile& of, const ToolFrame& in, const Vec3& from,
   first = a.normalized(), last = b.normalized();
   turn = arc.sweep_rad * in.toTool(arc.normal).z() < 0.0 ? -1.0 : 1.0;
   if (turn < 0.0) std::swap(first, last);
+  sweep = std::abs(arc.sweep_rad);
   bounds = LeaningSweep(of, in, from, to, &arc).bounds();
 }
 
@@ -176,9 +177,9 @@ ColumnSpan LeanArc::column(double x, double y, int number) const {
 
   const auto covers = [&](const Vec3& p) {
     const Vec2 level = p.head<2>();
-    const bool between = cross(first, level) >= 0.0 && cross(level, last) >= 0.0;
-    const double off = between ? std::abs(level.norm() - radius)
-                               : std::min((p - ends[0]).head<2>().norm(), (p - ends[1]).head<2>().norm());
+    const double off = isPassed(level)
+                           ? std::abs(level.norm() - radius)
+                           : std::min((p - ends[0]).head<2>().norm(), (p - ends[1]).head<2>().norm());
     return profile->sample(off, p.z()).value < 0.0;
   };
   ColumnSpan span;
@@ -198,6 +199,12 @@ ColumnSpan LeanArc::column(double x, double y, int number) const {
   }
   if (open && number == 0) return {span.lo + base, before + base};
   return {};
+}
+
+bool LeanArc::isPassed(const Vec2& level) const {
+  if (sweep >= 2.0 * kPi) return true;
+  if (sweep <= kPi) return cross(first, level) >= 0.0 && cross(level, last) >= 0.0;
+  return !(cross(last, level) > 0.0 && cross(level, first) > 0.0);
 }
 
 /// As LeanLine::around, with all that the tool covers on a full circle.

@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-/// A part of a tool that leans, on an arc about its axis of at most a quarter turn. Lengths in mm.
+/// A part of a tool that leans, on an arc about its axis. Lengths in mm.
 struct LeanArc {
   /// `from`, `to`: of the tip, `arc`: of this radius and without rise; all of the workpiece frame. `profile`
   /// must outlive this.
@@ -17,14 +17,18 @@ struct LeanArc {
   ColumnSpan column(double x, double y, int number) const;
   ColumnSpan around(double x, double y, double half_width) const;
 
-  /// A line may come into what a tool of one corner leaves twice; into that of others seldom a third time.
-  static constexpr int kMostSpans = 3;
+  /// A line comes into a ring twice, more often only beside the gap of an arc and where corners are round.
+  static constexpr int kMostSpans = 4;
+
+  /// Whether the direction from the centre is one that the tip has on its way.
+  bool isPassed(const Vec2& level) const;
 
   const ConvexProfile* profile;
   ToolFrame frame;
   Vec3 center;       ///< of the arc at the height of the tip, tool frame
   double radius;     ///< of the arc
   Vec2 first, last;  ///< unit, from the centre to the ends, tool frame; last is counterclockwise from first
+  double sweep;      ///< from first to last, above 0; a turn or more: all around
   double turn;       ///< +1: the way is counterclockwise, -1: clockwise
   Box3 bounds;       ///< of the volume, workpiece frame
 };
