@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -40,7 +41,13 @@ bool isGauged(const Tool& tool) {
   return tool.insert ? tool.insert->gauge.has_value() : tool.gauge_length != 0.0;
 }
 
-std::string shiftText(const DataInForce& data, const Tool& tool) {
+/// From the control point to the gauge point, mm: so much less the offset of a tool has to make up for.
+Vec3 machineGauge(const SetupRun& setup) {
+  const std::optional<MachineModel>& machine = setup.job.settings.machine;
+  return machine ? machine->spindle.gauge : Vec3(Vec3::Zero());
+}
+
+std::string shiftText(const DataInForce& data, const Tool& tool, const Vec3& machine) {
   if (data.nose_tool > 0) {
     const Vec3 gauge = gaugeOf(tool);
     return fmt::format("DXW.{0} and DZW.{0} are {1:g} and {2:g}, its gauge [{3:g}, {4:g}]", data.nose_tool,
@@ -48,8 +55,9 @@ std::string shiftText(const DataInForce& data, const Tool& tool) {
   }
   if (data.length.row == 0)
     return fmt::format("it cuts without a length offset, its gauge length is {:g}", tool.gauge_length);
-  return fmt::format("H{} is {:g}, its gauge length {:g}", data.length.row, data.length_offset.z(),
-                     tool.gauge_length);
+  return fmt::format(
+      "H{} is {:g}, its gauge length {:g}{}", data.length.row, data.length_offset.z(), tool.gauge_length,
+      machine.z() != 0.0 ? fmt::format(" less the machine's {:g}", machine.z()) : std::string());
 }
 
 /// What moves the tool by what the operator has measured: a wear is meant.
@@ -68,8 +76,8 @@ std::vector<LengthError> lengthErrors(const SetupRun& setup) {
     const Tool* tool = data == nullptr ? nullptr : toolOf(setup, id);
     if (tool == nullptr || !isGauged(*tool) || !cuts(setup, id)) continue;
     if (!seen.emplace(tool->number, data).second) continue;
-    errors.push_back(
-        {id, measuredOffset(*data) - gaugeOf(*tool), data->length.row > 0, shiftText(*data, *tool)});
+    errors.push_back({id, measuredOffset(*data) - (gaugeOf(*tool) - machineGauge(setup)),
+                      data->length.row > 0, shiftText(*data, *tool, machineGauge(setup))});
   }
   return errors;
 }

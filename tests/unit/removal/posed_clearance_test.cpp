@@ -93,7 +93,7 @@ TEST(PosedClearance, NothingThatTouchesIsTakenForClear) {
     for (int i = 0; i < 120; ++i) {
       const Vec3 from(random(-40, 40), random(-40, 40), random(-5, 30));
       Turning t =
-          turning(from, from + Vec3(random(-20, 20), random(-20, 20), random(-10, 10)), direction(), {});
+          turning(from, from + Vec3(random(-20, 20), random(-20, 20), random(-10, 10)), direction(), Vec3::UnitZ());
       t.axis.to = (t.axis.from + Vec3(random(-1, 1), random(-1, 1), random(-1, 1)) * 0.7).normalized();
       const double dense = denseClearance(t, solid, **body);
       const bool is_clear = isClear(t, solid, **body);

@@ -276,6 +276,10 @@ void recordFrames(IsoContext& c, const IsoState& state) {
   const WorkSystem system = frames.system(state.work_system);
   DataInForce data = c.origins.data();
   data.length_offset = state.length.xyz;
+  if (state.five.along_tool) {  // as with all axes at 0
+    const bool minus = state.active[kGroupLengthComp] == gcode::kLengthMinus;
+    data.length_offset = (minus ? -state.h_value : state.h_value) * c.five_axes.tool;
+  }
   data.work_system = state.work_system;
   data.work_offset = {system.offset.xyz, system.offset_by};
   data.work_rotation = {system.angles_deg, system.angles_by};
