@@ -22,7 +22,7 @@ class Tetrahedron : public testing::TestWithParam<const char*> {};
 TEST_P(Tetrahedron, PassesOnEveryMachine) {
   const Workbench bench;
   const fs::path job = partsFolder() / "tetrahedron" / GetParam();
-  const Outcome outcome = bench.run("run '" + job.string() + "' --resolution 0.5 --no-render --out out");
+  const Outcome outcome = bench.run("run '" + job.string() + "' --resolution 0.4 --no-render --out out");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json report = json::parse(readFile(bench.path("out/report.json")));
   EXPECT_EQ(report["verdict"], "pass");
@@ -47,7 +47,7 @@ TEST(FiveAxes, AWrongLengthShowsInThePart) {
   ASSERT_NE(at, std::string::npos);
   job.replace(at, 8, "1 = 45.5");
   bench.write("tetra/wrong.toml", job);
-  const Outcome outcome = bench.run("run tetra/wrong.toml --resolution 0.5 --no-render --out out");
+  const Outcome outcome = bench.run("run tetra/wrong.toml --resolution 0.4 --no-render --out out");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
 }
 
@@ -63,12 +63,12 @@ TEST(FiveAxes, TurningIsForTheAir) {
       "[simulation]\nresolution = 0.5\n";
   bench.write("job.toml", job);
   // The block turns about a line 70 mm below its top: its edges, 72.8 mm away from there, come up by 2.8 mm.
-  bench.write("a.nc", "G54 G0 X0 Y0 Z20\nG43 H1 Z2\nM3 S1000\nA60\nZ50\nM30\n");
+  bench.write("a.nc", "G54 G0 X0 Y0 Z100\nG43 H1 Z2\nM3 S1000\nA60\nZ50\nM30\n");
   const Outcome low = bench.run("run job.toml --no-render --out low");
   EXPECT_EQ(low.exit_code, 2) << low.err;
   EXPECT_TRUE(has(low.err, "posed-motion")) << low.err;
   EXPECT_TRUE(has(low.err, "a.nc:4")) << low.err;
-  bench.write("a.nc", "G54 G0 X0 Y0 Z20\nG43 H1 Z4\nM3 S1000\nA60\nZ50\nM30\n");
+  bench.write("a.nc", "G54 G0 X0 Y0 Z100\nG43 H1 Z4\nM3 S1000\nA60\nZ50\nM30\n");
   const Outcome high = bench.run("run job.toml --no-render --out high");
   EXPECT_EQ(high.exit_code, 0) << high.err;
 }
