@@ -22,7 +22,7 @@ endif()
 
 # Headers that a user of the libraries includes, with those that they include; the others are nobody's business
 # outside.
-foreach(folder core/base core/geometry core/path core/tool removal/process io render)
+foreach(folder core/base core/geometry core/machine core/path core/tool removal/process io render)
   install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
 endforeach()
 foreach(header

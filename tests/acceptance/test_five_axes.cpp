@@ -73,6 +73,21 @@ TEST(FiveAxes, TurningIsForTheAir) {
   EXPECT_EQ(high.exit_code, 0) << high.err;
 }
 
+/// With more travel the head takes the other pair in 25.12, and swings through the part on its way to the
+/// second face.
+TEST(FiveAxes, ASwingThroughThePartIsFound) {
+  const Workbench bench;
+  fs::copy(partsFolder() / "tetrahedron", bench.path("tetra"), fs::copy_options::recursive);
+  std::string machine = readFile(bench.path("tetra/ht.toml"));
+  const std::size_t at = machine.find("[-110, 30]");
+  ASSERT_NE(at, std::string::npos);
+  bench.write("tetra/ht.toml", machine.replace(at, 10, "[-110, 110]"));
+  const Outcome outcome = bench.run("run tetra/job-ht-2512.toml --resolution 0.5 --no-render --out out");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "posed-motion")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "N120 G53.1")) << outcome.err;
+}
+
 TEST(FiveAxes, TheMachineIsShownAndAsked) {
   const Workbench bench;
   for (const char* name : {"trunnion_ac.toml", "trunnion_bc.toml", "head_cb.toml", "head_b_table_c.toml",
