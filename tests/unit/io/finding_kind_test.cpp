@@ -35,9 +35,12 @@ TEST(FindingKinds, HaveTheNamesOfTheSchema) {
       "insert_contact error\naxis_crossing error\ncut_off_piece error\nthreading error\nwire_supply error\n"
       "free_slug warning\nstuck_slug warning\nbridge warning\nnose_deviation warning\ntool_data "
       "error\nfeed_rate warning\nspindle_speed warning\ncycle_time "
-      "warning\ndwell warning\ntool_change warning\ndrill_sideways warning\nprogram_unit warning\npart_off note\ncoarse_nominal note\n"
-      "not_compared note\nnominal_placement error\novertravel error\nforbidden_zone error\nalarm error\nno_part error\n"
-      "thin_feature warning\nnothing_cut warning\nloose_piece warning\nuncertain_part warning\npartial warning\nmesh error\n"
+      "warning\ndwell warning\ntool_change warning\ndrill_sideways warning\nprogram_unit warning\npart_off "
+      "note\ncoarse_nominal note\n"
+      "not_compared note\nnominal_placement error\novertravel error\nclamped_axis error\nforbidden_zone "
+      "error\nalarm error\nno_part error\n"
+      "thin_feature warning\nnothing_cut warning\nloose_piece warning\nuncertain_part warning\npartial "
+      "warning\nmesh error\n"
       "output error\n");
 }
 

@@ -289,7 +289,7 @@ TEST(DynamicZero, IsReadAndSuspended) {
 }
 
 TEST(DynamicZero, NeedsATable) {
-  EXPECT_TRUE(runOf("G54.2 P1", settingsOf(test::machineCB(), Vec3::Zero())).error.starts_with("nct-2123"));
+  EXPECT_TRUE(runOf("G54.2 P1", settingsOf(test::machineCB(), Vec3::Zero())).error.starts_with("nct-machine-data"));
   EXPECT_TRUE(runOf("G54.2", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2004"));
   EXPECT_TRUE(runOf("G54.2 P9", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2002"));
 }

@@ -59,7 +59,7 @@ struct Control {
   std::size_t rows = 0;       ///< of the control's own list
   std::size_t specified = 0;  ///< of the manual
 };
-const Control kControls[] = {{ControlId::kNct, "nct-", 692, 798},
+const Control kControls[] = {{ControlId::kNct, "nct-", 730, 798},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
                              {ControlId::kFlexNc, "fnc-", 163, 163},
                              {ControlId::kWedm, "wedm-", 95, 95}};
@@ -347,8 +347,12 @@ TEST(GoldenFiles, AlarmsBeginWithTheTextOfTheManual) {
   EXPECT_GT(checked, 100);
 }
 
-TEST_P(GoldenSet, EverySimulatedCodeHasAFile) {
-  const std::set<std::string> proven = provenIds(GetParam());
+/// A golden file, or a test source where a machine with heads is needed.
+TEST_P(GoldenSet, EverySimulatedCodeIsProven) {
+  std::set<std::string> proven = provenIds(GetParam());
+  for (const CoverageIdRow& row : rows_) {
+    if (row.proof.starts_with("tests/")) proven.insert(std::string(row.id));
+  }
   for (const CoverageRow& row : table_) {
     if (row.status != "simulated") continue;
     std::istringstream ids(row.ids);

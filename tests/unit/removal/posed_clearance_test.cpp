@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <vector>
 
 #include "removal/grid/shape_field.h"
 #include "tests/unit/removal/cut_fixture.h"
@@ -36,27 +37,35 @@ bool isClear(const Turning& t, const ToolSolid& tool, const BlankField& body) {
   return !firstUnclear(t.path, t.motion, t.axis, tool, bodies);
 }
 
-/// Least distance of points of the tool from the box, at many poses.
-double denseClearance(const Turning& t, const ToolSolid& tool, const BlankField& body) {
+/// Points of a box's surface, about `step` apart.
+std::vector<Vec3> pointsOf(const BoxShape& box, double step) {
+  std::vector<Vec3> out;
+  const Eigen::Array3i n = ((box.max - box.min) / step).array().ceil().cast<int>();
+  for (int x = 0; x <= n.x(); ++x) {
+    for (int y = 0; y <= n.y(); ++y) {
+      for (int z = 0; z <= n.z(); ++z) {
+        if (x > 0 && x < n.x() && y > 0 && y < n.y() && z > 0 && z < n.z()) continue;
+        const Vec3 share(double(x) / n.x(), double(y) / n.y(), double(z) / n.z());
+        out.push_back(box.min + share.cwiseProduct(box.max - box.min));
+      }
+    }
+  }
+  return out;
+}
+
+/// Least distance of the points from the tool, at many poses.
+double denseClearance(const Turning& t, const ToolSolid& tool, const std::vector<Vec3>& points) {
   double least = std::numeric_limits<double>::infinity();
   const double angle = std::acos(std::clamp(t.axis.from.dot(t.axis.to), -1.0, 1.0));
   const Vec3 about = t.axis.from.cross(t.axis.to).normalized();
-  for (int k = 0; k <= 200; ++k) {
-    const double u = k / 200.0;
-    const Vec3 axis = Eigen::AngleAxisd(u * angle, about) * t.axis.from, side = axis.unitOrthogonal();
+  for (int k = 0; k <= 100; ++k) {
+    const double u = k / 100.0;
+    const Vec3 axis = Eigen::AngleAxisd(u * angle, about) * t.axis.from;
     const Vec3 tip = t.motion.from + u * (t.motion.to - t.motion.from);
-    for (const auto* parts : {&tool.cutter, &tool.shank, &tool.holder}) {
-      for (const ConvexProfile& part : *parts) {
-        for (int i = 0; i < part.elementCount(); ++i) {
-          const ConvexProfile::Element& e = part.element(i);
-          for (int along = 0; along <= 10; ++along) {
-            const double r = e.ar + (e.br - e.ar) * along / 10, z = e.az + (e.bz - e.az) * along / 10;
-            for (int turn = 0; turn < 24; ++turn) {
-              const Vec3 out = Eigen::AngleAxisd(turn * kPi / 12, axis) * side;
-              least = std::min(least, body.value(tip + z * axis + r * out));
-            }
-          }
-        }
+    for (const Vec3& p : points) {
+      const double z = axis.dot(p - tip), r = (p - tip - z * axis).norm();
+      for (const auto* parts : {&tool.cutter, &tool.shank, &tool.holder}) {
+        for (const ConvexProfile& part : *parts) least = std::min(least, part.sample(r, z).value);
       }
     }
   }
@@ -80,8 +89,11 @@ TEST(PosedClearance, HighIsClearAndLowIsNot) {
 }
 
 TEST(PosedClearance, NothingThatTouchesIsTakenForClear) {
-  const auto body = shapeField(BoxShape{{-20, -15, -10}, {20, 15, 0}});
+  const BoxShape box{{-20, -15, -10}, {20, 15, 0}};
+  const auto body = shapeField(box);
   ASSERT_TRUE(body.ok());
+  const std::vector<Vec3> points = pointsOf(box, 4.0);
+  constexpr double kSpaced = 6.0;  // mm: a diagonal between points, and what poses are apart
   std::mt19937_64 engine(7);
   const auto random = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
@@ -90,20 +102,20 @@ TEST(PosedClearance, NothingThatTouchesIsTakenForClear) {
   int clear = 0, touched = 0, doubtful = 0;
   for (const char* name : {"1=flat:6", "1=ball:8", "1=bull:8:2", "1=drill:6:118", "1=lollipop:6:3"}) {
     const ToolSolid solid = makeToolSolid(tool(name));
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 60; ++i) {
       const Vec3 from(random(-40, 40), random(-40, 40), random(-5, 30));
-      Turning t =
-          turning(from, from + Vec3(random(-20, 20), random(-20, 20), random(-10, 10)), direction(), Vec3::UnitZ());
+      Turning t = turning(from, from + Vec3(random(-20, 20), random(-20, 20), random(-10, 10)), direction(),
+                          Vec3::UnitZ());
       t.axis.to = (t.axis.from + Vec3(random(-1, 1), random(-1, 1), random(-1, 1)) * 0.7).normalized();
-      const double dense = denseClearance(t, solid, **body);
+      const double dense = denseClearance(t, solid, points);
       const bool is_clear = isClear(t, solid, **body);
       EXPECT_FALSE(is_clear && dense < -1e-3) << name << ' ' << i << ": " << dense;
-      EXPECT_TRUE(is_clear || dense <= 0.5) << name << ' ' << i << ": " << dense;
-      (dense < -1e-3 ? touched : dense > 0.5 ? clear : doubtful) += 1;
+      EXPECT_TRUE(is_clear || dense <= kSpaced) << name << ' ' << i << ": " << dense;
+      (dense < -1e-3 ? touched : dense > kSpaced ? clear : doubtful) += 1;
     }
   }
-  EXPECT_GT(clear, 100);
-  EXPECT_GT(touched, 100);
+  EXPECT_GT(clear, 40);
+  EXPECT_GT(touched, 30);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ bool isCalled(const BlockPlan& plan, IsoGroup group, std::int32_t code10) {
 
 bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
   if (c.five_axes.kind == FiveAxisKind::kNone) {
-    return c.alarm(SharedAlarm::kNotImplemented,
-                   "G43.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
+    return c.fail("machine-data",
+                  "G43.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
   }
   plan.next.length = AxisPoint();
   plan.next.five.along_tool = true;
@@ -32,8 +32,7 @@ bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
 
 bool planDynamicZero(IsoContext& c, BlockPlan& plan) {
   if (!c.five_axes.hasTable())
-    return c.alarm(SharedAlarm::kNotImplemented,
-                   "G54.2 needs a machine with a rotary table (N3200 = 2 or 3)");
+    return c.fail("machine-data", "G54.2 needs a machine with a rotary table (N3200 = 2 or 3)");
   const Word* p = c.word('P');
   std::int64_t number = 0;
   if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.2 needs P1 to P8");

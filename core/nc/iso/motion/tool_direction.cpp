@@ -29,8 +29,8 @@ std::string travelText(const IsoContext& c) {
 
 bool planToolDirection(IsoContext& c, BlockPlan& plan) {
   if (c.five_axes.kind == FiveAxisKind::kNone)
-    return c.alarm(SharedAlarm::kNotImplemented,
-                   "G53.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
+    return c.fail("machine-data",
+                  "G53.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
   if (!ownBlock(c, "G53.1")) return false;
   if (c.anyAxisWord())
     return c.alarm(SharedAlarm::kIllegalAddress, c.block.words.back(), "G53.1 stands alone in its block");
