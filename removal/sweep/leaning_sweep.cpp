@@ -39,9 +39,14 @@ Box3 leaningBounds(const ConvexProfile& profile, const ToolFrame& frame) {
 
 LeaningSweep::LeaningSweep(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from,
                            const Vec3& to, const ArcGeometry* arc)
-    : frame_(frame), inner_(innerSweep(profile, frame, from, to, arc)) {
-  const Box3 tool = leaningBounds(profile, frame), way = boundsOfWay(from, to, arc);
-  bounds_ = {way.min + tool.min, way.max + tool.max};
+    : frame_(frame),
+      inner_(innerSweep(profile, frame, from, to, arc)),
+      profile_(&profile),
+      way_(boundsOfWay(from, to, arc)) {}
+
+Box3 LeaningSweep::bounds() const {
+  const Box3 tool = leaningBounds(*profile_, frame_);
+  return {way_.min + tool.min, way_.max + tool.max};
 }
 
 }  // namespace proveout

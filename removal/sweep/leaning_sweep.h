@@ -33,7 +33,7 @@ class LeaningSweep {
   bool isSlow() const { return inner_.isSlow(); }
   bool replacesChords() const { return inner_.replacesChords(); }
   /// Tight on lines and arcs.
-  Box3 bounds() const { return bounds_; }
+  Box3 bounds() const;
 
  private:
   SweepSample seen(SweepSample sample) const {
@@ -43,7 +43,8 @@ class LeaningSweep {
 
   ToolFrame frame_;
   Sweep inner_;
-  Box3 bounds_;
+  const ConvexProfile* profile_;
+  Box3 way_;  ///< of the tip; most fields are never asked for their bounds, which take longer than a distance
 };
 
 }  // namespace proveout
