@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "core/geometry/degrees.h"
 #include "core/geometry/types.h"
 
 namespace proveout {
@@ -44,6 +45,14 @@ inline Eigen::Matrix3d rotationAbout(const Vec3& axis, double degrees) {
   Eigen::Matrix3d cross;
   cross << 0, -a.z(), a.y(), a.z(), 0, -a.x(), -a.y(), a.x(), 0;
   return cs.x() * Eigen::Matrix3d::Identity() + cs.y() * cross + (1.0 - cs.x()) * (a * a.transpose());
+}
+
+/// Turn about a unit axis through the origin, right-hand rule; as exact as sinCosDegrees().
+inline Eigen::Matrix3d turnAbout(const Vec3& unit, double degrees) {
+  const auto [s, c] = sinCosDegrees(degrees);
+  Eigen::Matrix3d cross;
+  cross << 0, -unit.z(), unit.y(), unit.z(), 0, -unit.x(), -unit.y(), unit.x(), 0;
+  return Eigen::Matrix3d::Identity() * c + cross * s + unit * unit.transpose() * (1.0 - c);
 }
 
 /// Turns about the fixed X axis, then the fixed Y axis, then the fixed Z axis, degrees.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/degrees.h"
+#include "core/geometry/rigid_transform.h"
 
 namespace proveout {
 
@@ -11,15 +11,6 @@ namespace {
 
 /// Angles closer than this are one: far below any increment (1e-6 deg), above rounding noise.
 constexpr double kSameAngleDeg = 1e-9;
-
-/// Rotation by an angle in degrees, exact for quarter turns.
-Eigen::Matrix3d rotation(const Vec3& direction, double degrees) {
-  const auto [s, c] = sinCosDegrees(degrees);
-  Eigen::Matrix3d cross;
-  cross << 0, -direction.z(), direction.y(), direction.z(), 0, -direction.x(), -direction.y(), direction.x(),
-      0;
-  return Eigen::Matrix3d::Identity() * c + cross * s + direction * direction.transpose() * (1.0 - c);
-}
 
 /// The axes from the bed to the end of a side that `last` stands on, outermost first.
 std::vector<int> fromEnd(const MachineModel& model, int last) {
@@ -88,7 +79,7 @@ Vec3 MachineChain::through(const Link& link, const AxisPoint& machine, const Vec
   const double at = machine[link.axis];
   if (at == 0.0) return p;
   if (!link.rotary) return p + at * link.direction;
-  return link.point + rotation(link.direction, link.sign * at) * (p - link.point);
+  return link.point + turnAbout(link.direction, link.sign * at) * (p - link.point);
 }
 
 Vec3 MachineChain::point(const AxisPoint& machine, const Vec3& at_zero) const {
@@ -101,7 +92,7 @@ Vec3 MachineChain::direction(const AxisPoint& machine, const Vec3& at_zero) cons
   Vec3 d = at_zero;
   for (const Link& link : rotary_) {
     const double at = machine[link.axis];
-    if (at != 0.0) d = rotation(link.direction, link.sign * at) * d;
+    if (at != 0.0) d = turnAbout(link.direction, link.sign * at) * d;
   }
   // Upright is upright, whatever the last digit says: much depends on it.
   if ((d - Vec3::UnitZ()).norm() < 1e-12) return Vec3::UnitZ();
@@ -119,7 +110,7 @@ MachineChain::Turn MachineChain::onlyTurn(const AxisPoint& a, const AxisPoint& b
     for (std::size_t k = i + 1; k < links_.size(); ++k) {
       out.point = through(links_[k], a, out.point);
       if (links_[k].rotary)
-        out.direction = rotation(links_[k].direction, links_[k].sign * a[links_[k].axis]) * out.direction;
+        out.direction = turnAbout(links_[k].direction, links_[k].sign * a[links_[k].axis]) * out.direction;
     }
   }
   return out;

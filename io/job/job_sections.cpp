@@ -101,23 +101,6 @@ void readControlName(ConfigTable& table, const std::string& key, const JobNames&
   if (name) job.control = *name;
 }
 
-/// `name = [low, high]`; the key is there.
-std::optional<AxisLimit> readLimit(ConfigTable& table, const std::string& name) {
-  const ConfigValue* value = table.find(name);
-  if (value->type != Type::kArray || value->items.size() != 2) {
-    table.error(name, "job-type", name + " must be a list of two numbers, [low, high]");
-    return std::nullopt;
-  }
-  const auto low = readNumber(table.document(), value->items[0], name + " low", kAnyLength);
-  const auto high = readNumber(table.document(), value->items[1], name + " high", kAnyLength);
-  if (!low || !high) return std::nullopt;
-  if (*low >= *high) {
-    table.error(name, "job-range", name + ": the low limit must be below the high one");
-    return std::nullopt;
-  }
-  return AxisLimit{*low, *high};
-}
-
 void readLimits(ConfigTable& machine, Job& job) {
   auto limits = machine.table("limits");
   if (!limits) return;
@@ -339,6 +322,22 @@ std::optional<StockSpec> readCylinder(ConfigTable& stock, bool tube) {
 }
 
 }  // namespace
+
+std::optional<AxisLimit> readLimit(ConfigTable& table, const std::string& name) {
+  const ConfigValue* value = table.find(name);
+  if (value->type != Type::kArray || value->items.size() != 2) {
+    table.error(name, "job-type", name + " must be a list of two numbers, [low, high]");
+    return std::nullopt;
+  }
+  const auto low = readNumber(table.document(), value->items[0], name + " low", kAnyLength);
+  const auto high = readNumber(table.document(), value->items[1], name + " high", kAnyLength);
+  if (!low || !high) return std::nullopt;
+  if (*low >= *high) {
+    table.error(name, "job-range", name + ": the low limit must be below the high one");
+    return std::nullopt;
+  }
+  return AxisLimit{*low, *high};
+}
 
 // TOML cannot hold `control = "nct"` and `[control.nct]` in one file, so a control with settings is named by
 // `[control] name = "nct"`.

@@ -11,6 +11,8 @@ inline constexpr NumberRange kTopSpeed{0.0, 1e6, true};       // 1/min that a ma
 inline constexpr NumberRange kRate{0.0, 1e7, true};           // mm/min or deg/min; far above any machine
 inline constexpr NumberRange kAcceleration{0.0, 1e9, false};  // mm/s^2, deg/s^2; 0: speed at once
 
+/// `name = [low, high]`; the key is there.
+std::optional<AxisLimit> readLimit(ConfigTable& table, const std::string& name);
 void readControl(ConfigTable& root, const JobNames& names, Job& job);
 /// `[machine]`, and the file that it may name.
 void readMachine(ConfigTable& root, Job& job);

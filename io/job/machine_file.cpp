@@ -94,7 +94,7 @@ class MachineReader {
       if (const auto step = t.number("step", kSteps)) axis.step = *step;
     }
     readDirection(t, axis);
-    if (const ConfigValue* travel = t.find("travel")) readTravel(t, *travel, axis);
+    if (t.find("travel") != nullptr) axis.travel = readLimit(t, "travel");
     if (const auto rapid = t.number("rapid", kRate)) axis.rapid = *rapid;
     if (const auto a = t.number("acceleration", kAcceleration)) axis.acceleration = *a;
     if (const auto start = t.number("start", kAnyLength)) axis.start = *start;
@@ -125,14 +125,6 @@ class MachineReader {
     } else {
       table.require("direction");
     }
-  }
-
-  static void readTravel(ConfigTable& table, const ConfigValue& value, MachineAxis& axis) {
-    if (value.type != Type::kArray || value.items.size() != 2)
-      return table.error("travel", "job-type", "travel must be a list of two numbers, [low, high]");
-    const auto low = readNumber(table.document(), value.items[0], "travel low", kAnyLength);
-    const auto high = readNumber(table.document(), value.items[1], "travel high", kAnyLength);
-    if (low && high) axis.travel = AxisLimit{*low, *high};
   }
 
   /// Index of the axis that a table names with its key `on`.

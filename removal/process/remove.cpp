@@ -241,15 +241,16 @@ Status Remover::preparePasses() {
           "{}:{}: tool {} is not described; give it in the job ([[tool]]) or with --tool {}=SHAPE:...", file,
           m.source.line, m.tool, m.tool));
     }
-    if (wayOf(path_, m).turns()) {
+    const MotionWay way = wayOf(path_, m);
+    if (way.turns()) {
       if (!turns_in_air_) return turningError(id);
-      track_.add(wayOf(path_, m));
+      track_.add(way);
       continue;
     }
     // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
     if (m.kind == MotionKind::kProbe && !watch_all_) continue;
     for (ToolParts::Part& part : found->second.parts) addPart(id, found->second, part);
-    track_.add(wayOf(path_, m));
+    track_.add(way);
     if (static_cast<double>(table_.passes.size() * sizeof(Pass)) > limit_bytes_) {
       return memoryError(2.0 * limit_bytes_, limit_bytes_, impl_.h);
     }

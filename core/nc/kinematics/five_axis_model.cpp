@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/geometry/degrees.h"
+#include "core/geometry/rigid_transform.h"
 #include "core/machine/machine_chain.h"
 #include "core/machine/rotary_pair.h"
 
@@ -17,14 +17,6 @@ constexpr double kSameDeg = 1e-6;
 constexpr double kAlong = 1e-9;
 /// A direction is reached where the tool's is this near to it: rounding of the angles.
 constexpr double kReached = 1e-7;
-
-Mat3 turnAbout(const Vec3& direction, double degrees) {
-  const auto [s, c] = sinCosDegrees(degrees);
-  Mat3 cross;
-  cross << 0, -direction.z(), direction.y(), direction.z(), 0, -direction.x(), -direction.y(), direction.x(),
-      0;
-  return Mat3::Identity() * c + cross * s + direction * direction.transpose() * (1.0 - c);
-}
 
 /// Of an angle and its whole turns away, the one nearest to `now` that is within travel; NaN: none.
 double nearestWithin(double angle, double now, const std::optional<AxisLimit>& limit) {

@@ -44,6 +44,7 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
       origin_(settings.work_offsets[0] + settings.common_offset),
       chain_(machineOf(settings, axes, origin_), origin_),
       machine_(settings.start + origin_) {
+  plain_ = more_ == 0 && chain_.isLevel() && chain_.toolAtZero() == Vec3::UnitZ();
   for (int k = 0; k < axes_.count(); ++k) {
     any_limit_ = any_limit_ || axes_.at(k).limit.has_value();
     if (axes_.at(k).rotary()) ++rotary_;
@@ -110,7 +111,7 @@ double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
 }
 
 const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
-  if (rotary_ == 0) return nullptr;
+  if (rotary_ == 0 && chain_.toolAtZero() == Vec3::UnitZ()) return nullptr;
   sweep_ = {};
   for (int k = kMainAxes; k < kMainAxes + more_ && sweep_.rotary_count < kMaxRotaryAxes; ++k) {
     if (!axes_.at(k).rotary()) continue;
@@ -208,9 +209,9 @@ std::optional<PathEmitter::Line> PathEmitter::lineOf(const AxisPoint& to, const 
 
 void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                         const SourceRef& source) {
-  if (more_ > 0 && !plainArc(to, arc)) return furtherArc(to, arc, style, source);
+  if (!plain_ && !plainArc(to, arc)) return furtherArc(to, arc, style, source);
   ArcGeometry geometry;
-  const Vec3 shift = more_ == 0 ? to_workpiece_ : Vec3(toolPoint(machine_) - machine_.xyz);
+  const Vec3 shift = plain_ ? to_workpiece_ : Vec3(toolPoint(machine_) - machine_.xyz);
   geometry.center = arc.center + shift;
   geometry.normal = arc.normal;
   geometry.sweep_rad = arc.sweep_rad;
@@ -248,7 +249,7 @@ void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedSt
 void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* arc, const MotionPace* pace,
                        const MotionJoin& join) {
   const AxisSweep* sweep = nullptr;
-  if (more_ == 0) {
+  if (plain_) {
     motion.from = machine_.xyz + to_workpiece_;
     motion.to = to.xyz + to_workpiece_;
   } else {
@@ -259,12 +260,12 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
   motion.tool = tool_;
   if (motion.spindle == 0.0) motion.spindle = spindle_;
   const AxisPoint from = machine_;
-  if (more_ == 0) {
+  if (plain_) {
     machine_.xyz = to.xyz;
   } else {
     machine_ = to;
   }
-  if (any_limit_ && chain_.anyRotary()) {
+  if (any_limit_ && (chain_.anyRotary() || !chain_.isLevel())) {
     checkMachineTravel(from, motion.source);
   } else if (any_limit_) {
     checkTravel(motion, arc, motion.source);

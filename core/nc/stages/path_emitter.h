@@ -162,6 +162,7 @@ class PathEmitter {
   TimeStage time_;
   const AxisTable& axes_;
   const int more_;  ///< axes besides X Y Z
+  bool plain_;      ///< X, Y, Z alone, along the machine's own axes, and an upright tool
   int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
   MachineChain chain_;

@@ -215,6 +215,8 @@ TEST(TiltedPlane, ErrorsOfTheDefinition) {
               {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q3 X0 Y0 Z1\nG0 X1", "nct-2064"},
               {"G68.2 P3 Q1 I0 J0 K1\nG0 X1", "nct-2064"},
               {"G68.2 P2 Q0 X1", "nct-2064"},
+              {"G68.2 P2 Q1\nG68.2 P2 Q2 X1\nG68.2 P2 Q3 Y1\nG0 X5\nG68.2 P2 Q0 X1", "nct-2064"},
+              {"G68.2 P2 Q1\nG68.2 P2 Q2 X1\nG68.2 P2 Q3 Y1\nG68.2 I10\nG68.2 P2 Q0 X1", "nct-2064"},
               {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q2 X1 Y0 Z0\nG68.2 P2 Q3 X2 Y0 Z0", "nct-2088"},
               {"G68.2 P2 Q1 X0 Y0 Z0\nG68.2 P2 Q2 X0 Y0 Z0\nG68.2 P2 Q3 X2 Y0 Z0", "nct-2088"},
               {"G68.2 P3 Q1 I1 J0 K0\nG68.2 P3 Q2 I2 J0 K0", "nct-2088"},
@@ -288,8 +290,29 @@ TEST(DynamicZero, IsReadAndSuspended) {
   expectTip(out, 9, {0, 0, 0});
 }
 
+/// G28 goes to machine positions: the linear axes do not follow the table on its way.
+TEST(DynamicZero, TheReferencePointIsOfTheMachine) {
+  const MachineModel machine = test::trunnion('A');
+  const Vec3 zero(450, 300, -420);
+  const Outcome out = runOf("G10 L21 P1 X50 Y0 Z40\nG43 H1 G0 Z50\nG54.2 P1 G0 X0 Y0 Z0 A30\nG28 A0",
+                            settingsOf(machine, zero));
+  EXPECT_EQ(out.error, "");
+  AxisPoint turned(Vec3(450, 340, -330.7180)), back = turned;  // the printed zero, and the tool's 100 mm
+  turned.more[0] = 30.0;
+  const MachineChain chain(machine, zero);
+  expectTip(out, 3, chain.pose(turned, 100).tip);
+  expectTip(out, 4, chain.pose(back, 100).tip);
+}
+
+TEST(DynamicZero, TablesStandWhileCutterCompensationIsOn) {
+  const Outcome out = runOf("G10 L21 P1 X50 Y0 Z40\nG54.2 P1 G0 X0 Y0 Z0\nG41 G1 X10 Y10 D1 F100\nX20 A30",
+                            settingsOf(test::trunnion('A'), Vec3(450, 300, -420)));
+  EXPECT_TRUE(out.error.starts_with("nct-rotary-in-comp")) << out.error;
+}
+
 TEST(DynamicZero, NeedsATable) {
-  EXPECT_TRUE(runOf("G54.2 P1", settingsOf(test::machineCB(), Vec3::Zero())).error.starts_with("nct-machine-data"));
+  EXPECT_TRUE(
+      runOf("G54.2 P1", settingsOf(test::machineCB(), Vec3::Zero())).error.starts_with("nct-machine-data"));
   EXPECT_TRUE(runOf("G54.2", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2004"));
   EXPECT_TRUE(runOf("G54.2 P9", settingsOf(test::trunnion('A'), Vec3::Zero())).error.starts_with("nct-2002"));
 }
@@ -389,6 +412,24 @@ TEST(ToolDirection, OneProgramOnEveryMachine) {
       EXPECT_LT((pose.axis - normals[k]).norm(), 1e-4);
     }
   }
+}
+
+/// Without a rotary axis too the machine's own directions count: a lying spindle, a slide that leans.
+TEST(Machines, OfThreeAxesMoveAsTheyAreBuilt) {
+  MachineModel lying = test::plainMachine();
+  lying.spindle.direction = -Vec3::UnitY();
+  const Outcome tool = runOf("G0 X1 Y2 Z3\nG1 X5 F100", settingsOf(lying, Vec3::Zero()));
+  expectTip(tool, 2, {5, 102, 3});
+  EXPECT_EQ(endOf(tool, 2).axis, -Vec3::UnitY());
+  MachineModel leaning = test::plainMachine();
+  leaning.axes[1].direction = Vec3(0, 0.6, 0.8);
+  const Outcome slide = runOf("G0 X1 Y10 Z3\nG17 G3 X1 Y10 I-1 F100", settingsOf(leaning, Vec3::Zero()));
+  expectTip(slide, 1, {1, 6, 3 + 8 - 100});
+  double highest = -1e9;
+  for (const Motion& m : slide.path.motions) {
+    if (m.source.line == 2) highest = std::max(highest, m.to.z());
+  }
+  EXPECT_NEAR(highest, 3 + 8.8 - 100, 1e-3);
 }
 
 /// What a warning of this code says; empty: there is none.

@@ -138,8 +138,7 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   }
   if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
     return false;
-  if (plan.next.five.follows()) followRotaryAxes(c, plan, target);
-  return true;
+  return words == WordsAre::kReference || !plan.next.five.follows() || followRotaryAxes(c, plan, target);
 }
 
 }  // namespace proveout::nc

@@ -22,8 +22,8 @@ inline double lengthOf(const BlockPlan& plan, const Word& w) { return w.value * 
 void takeIncrements(IsoContext& c, std::size_t first = 0);
 /// The integer that a word must hold. False, with alarm 2002: no integer, or out of range.
 bool integerWord(IsoContext& c, const Word& w, std::int64_t min, std::int64_t max, std::int64_t& out);
-/// Whether polar data (G16) change the meaning of axis words.
-enum class WordsAre { kModal, kRectangular };
+/// Whether polar data (G16) change the meaning of axis words, and whether coordinates go on with rotary axes.
+enum class WordsAre { kModal, kRectangular, kReference };
 /// End point of the axis words, in the plan's chain, mm; marks the named axes in plan.motion.named. False: an
 /// axis is given twice, or cannot go there.
 bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words = WordsAre::kModal);

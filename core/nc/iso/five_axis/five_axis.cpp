@@ -49,14 +49,19 @@ bool holdsPosition(const IsoContext& c, const BlockPlan& plan) {
   return isCalled(plan, kGroupLengthComp, gcode::kLengthAlongTool) && c.anyAxisWord() && !byTransformation(c);
 }
 
-void followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
+bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
   const AxisPoint end = plan.chain->machineOf(target);
   const RotaryAngles from = c.five_axes.at(c.machine), to = c.five_axes.at(end);
-  if (from.first == to.first && from.second == to.second) return;
+  if (from.first == to.first && from.second == to.second) return true;
+  if (c.state.compOn() || plan.next.compOn())
+    return c.fail(
+        "rotary-in-comp",
+        "a rotary axis that the coordinates depend on cannot turn while cutter compensation (G41, G42) is "
+        "on: program G40 first");
   plan.new_chain = c.chainOf(plan.next, end);
   plan.chain = &*plan.new_chain;
   plan.frames_changed = plan.flush = true;
-  if (!byTransformation(c)) return;  // `target` holds the old coordinates of axes without a word
+  if (!byTransformation(c)) return true;  // `target` holds the old coordinates of axes without a word
   AxisPoint stands = c.machine;
   stands.more = end.more;
   stands = plan.chain->programOf(stands);
@@ -64,6 +69,7 @@ void followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
     if (plan.motion.named[static_cast<std::size_t>(axis)]) continue;
     plan.start[axis] = target[axis] = stands[axis];
   }
+  return true;
 }
 
 }  // namespace proveout::nc

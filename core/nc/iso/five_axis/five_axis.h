@@ -16,6 +16,7 @@ bool planDynamicZero(IsoContext& c, BlockPlan& plan);
 bool holdsPosition(const IsoContext& c, const BlockPlan& plan);
 /// After the axis words: where a rotary axis moves that the coordinates depend on, they are those of its end.
 /// Sets chain, start and the axes of `target` without a word.
-void followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+/// False: an error was reported.
+bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target);
 
 }  // namespace proveout::nc

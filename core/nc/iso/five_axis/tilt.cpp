@@ -8,6 +8,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/five_axis/five_axis.h"
+#include "core/nc/iso/frames/transforms.h"
 
 namespace proveout::nc {
 
@@ -59,9 +60,7 @@ bool areParallel(const Vec3& a, const Vec3& b) {
 void takeTilt(const IsoContext& c, BlockPlan& plan, const FrameStep& tilt) {
   plan.next.five.tilt = tilt;
   plan.frames_changed = plan.flush = true;
-  plan.new_chain = c.chainOf(plan.next);
-  plan.chain = &*plan.new_chain;
-  plan.start = plan.chain->programOf(c.machine);
+  takeNewChain(c, plan);
 }
 
 bool refuseInComp(IsoContext& c, const char* name) {
@@ -109,11 +108,6 @@ std::optional<Mat3> turnByProjections(const IsoContext& c) {
   return Mat3(out * turn(2, numberAt(c, 'K')));
 }
 
-bool performTiltInput(IsoContext& c, BlockPlan& plan) {
-  c.registers.tilt_input = std::get<TiltInput>(plan.payload);
-  return true;
-}
-
 /// The frame of a whole definition by points or vectors; none where these define no plane.
 std::optional<FrameStep> frameOf(const TiltInput& input) {
   const auto& d = input.data;
@@ -134,7 +128,6 @@ bool planTiltCorrection(IsoContext& c, BlockPlan& plan, const TiltInput& input) 
   tilt.offset += tilt.linear * pointOf(c, plan);
   tilt.linear = tilt.linear * turn(2, numberAt(c, 'R'));
   takeTilt(c, plan, tilt);
-  plan.perform = performTiltInput;
   plan.payload.emplace<TiltInput>();
   return true;
 }
@@ -166,7 +159,6 @@ bool planTiltPart(IsoContext& c, BlockPlan& plan, int form) {
     if (!tilt) return c.alarm(SharedAlarm::kPlane, "", "the points or vectors of G68.2 define no plane");
     takeTilt(c, plan, *tilt);
   }
-  plan.perform = performTiltInput;
   plan.payload = input;
   return true;
 }
@@ -175,14 +167,11 @@ bool planTiltPart(IsoContext& c, BlockPlan& plan, int form) {
 
 bool planTiltState(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupTilt];
-  TiltInput& input = c.registers.tilt_input;
+  const TiltInput& input = c.registers.tilt_input;
   const bool goes_on = code != nullptr && code->code10 == gcode::kTiltedPlane;
-  if (input.form != 0 && !goes_on) {
-    if (!input.complete())
-      return c.alarm(SharedAlarm::kSyntax, "",
-                     fmt::format("the definition by G68.2 P{} is not whole: a Q is missing", input.form));
-    input = TiltInput();
-  }
+  if (input.form != 0 && !goes_on && !input.complete())
+    return c.alarm(SharedAlarm::kSyntax, "",
+                   fmt::format("the definition by G68.2 P{} is not whole: a Q is missing", input.form));
   if (code == nullptr || code->code10 != gcode::kTiltOff) return true;
   if (plan.next.five.any() && !refuseInComp(c, "G69.1")) return false;
   plan.next.five.tilt = FrameStep();

@@ -72,11 +72,15 @@ bool endMirrors(IsoContext& c, BlockPlan& plan) {
 
 }  // namespace
 
-void renewChain(const IsoContext& c, BlockPlan& plan) {
-  plan.transforms_changed = true;
+void takeNewChain(const IsoContext& c, BlockPlan& plan) {
   plan.new_chain = c.chainOf(plan.next);
   plan.chain = &*plan.new_chain;
   plan.start = plan.chain->programOf(c.machine);
+}
+
+void renewChain(const IsoContext& c, BlockPlan& plan) {
+  plan.transforms_changed = true;
+  takeNewChain(c, plan);
 }
 
 bool planTransformsOff(IsoContext& c, BlockPlan& plan) {

@@ -7,7 +7,9 @@ namespace proveout::nc {
 
 /// G69 and G50 of the block. False: an error was reported.
 bool planTransformsOff(IsoContext& c, BlockPlan& plan);
-/// After a change of plan.next.transforms: chain and start of the block.
+/// Chain and start of the block by the frames of plan.next.
+void takeNewChain(const IsoContext& c, BlockPlan& plan);
+/// The same after a change of plan.next.transforms.
 void renewChain(const IsoContext& c, BlockPlan& plan);
 
 }  // namespace proveout::nc

@@ -323,7 +323,7 @@ bool planReference(IsoContext& c, BlockPlan& plan) {
     if (!integerWord(c, *p, 1, 4, point)) return false;
   }
   AxisPoint via = plan.start;
-  if (!axisTarget(c, plan, via, WordsAre::kRectangular)) return false;
+  if (!axisTarget(c, plan, via, WordsAre::kReference)) return false;
   if (!c.anyAxisWord()) {
     c.warn(SharedAlarm::kMissingData, "no axis is named: no motion");
     return true;

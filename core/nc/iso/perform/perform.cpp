@@ -35,6 +35,10 @@ bool perform(IsoContext& c, BlockPlan& plan) {
   }
   if (plan.frames_changed) c.rebasePipe();
   c.state.takePlane(plan.next);  // arcs and pieces are turned by it
+  // What a block of G68.2 has told is for the next one alone.
+  const TiltInput* tilt = std::get_if<TiltInput>(&plan.payload);
+  if (tilt != nullptr || c.registers.tilt_input.form != 0)
+    c.registers.tilt_input = tilt != nullptr ? *tilt : TiltInput();
   const bool done = plan.perform ? plan.perform(c, plan) : switchCompInPlace(c, plan);
   if (!done) return false;
   if (plan.rebases) c.rebasePipe();
