@@ -18,7 +18,7 @@ namespace proveout {
 namespace {
 
 // Measured with tests/bench/bench_prediction on two cores. A cell is a square of the grid on the surface.
-constexpr double kBaseMb = 24.0;                ///< program, libraries, threads
+constexpr double kBaseMb = 19.5;                ///< program, libraries, threads
 constexpr double kBytesPerCell = 52.0;          ///< leaves, crossings, mesh of flat faces
 constexpr double kBytesPerCutCell = 120.0;      ///< on top of that: round walls
 constexpr double kBytesPerFlatCell = 60.0;      ///< in place of that: planes
@@ -36,14 +36,14 @@ constexpr double kBytesPerSavedCell = 250.0;          ///< reading or writing a 
 constexpr double kBytesPerSavedThreadedCell = 900.0;  ///< writing threads, on top of that
 constexpr double kBytesPerBlankTriangle = 170.0;      ///< of a mesh that a stock is made from
 constexpr double kBytesPerMeshedCell = 140.0;         ///< making a stock from a mesh
-constexpr double kComparisonMb = 20.0;                ///< fixed part of a comparison
-constexpr double kBytesPerComparedCell = 200.0;       ///< samples and search trees, both meshes
+constexpr double kComparisonMb = 10.0;               ///< fixed part of a comparison
+constexpr double kBytesPerComparedCell = 190.0;       ///< samples and search trees, both meshes
 constexpr double kDrawingMb = 27.0;                   ///< of pictures: rows of what pixels show, Embree
 constexpr double kBytesPerPixel = 10.0;               ///< two pictures, and a file
 constexpr double kGivenBack = 0.3;                    ///< of a stock before pictures are drawn
 constexpr double kBytesPerDrawnCell = 120.0;          ///< the renderer's search tree and normals
 constexpr double kBytesPerDrawnTriangle = 140.0;
-constexpr double kMostComparedCells = 1.8e6;  ///< the comparison widens its samples on huge meshes
+constexpr double kMostComparedCells = 1.2e6;  ///< the comparison widens its samples on huge meshes
 
 constexpr double kBaseS = 0.02;
 constexpr double kSecondsPerCell = 0.85e-7;      ///< blank, removal, crossings, mesh, files
