@@ -99,6 +99,75 @@ Vec3 MachineChain::direction(const AxisPoint& machine, const Vec3& at_zero) cons
   return d;
 }
 
+MachineChain::PointMotion MachineChain::follow(const AxisPoint& from, const AxisPoint& to, double share,
+                                               const Vec3& at_zero) const {
+  PointMotion p{at_zero, Vec3::Zero()};
+  for (const Link& link : links_) {
+    const double way = to[link.axis] - from[link.axis], at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
+    if (!link.rotary) {
+      p.at += at * link.direction;
+      p.velocity += way * link.direction;
+      continue;
+    }
+    if (at == 0.0 && way == 0.0) continue;
+    const Eigen::Matrix3d turn = turnAbout(link.direction, link.sign * at);
+    const Vec3 arm = turn * (p.at - link.point);
+    p.at = link.point + arm;
+    p.velocity = turn * p.velocity + degToRad(link.sign * way) * link.direction.cross(arm);
+  }
+  return p;
+}
+
+MachineChain::PointMotion MachineChain::followDirection(const AxisPoint& from, const AxisPoint& to,
+                                                        double share, const Vec3& at_zero) const {
+  PointMotion d{at_zero, Vec3::Zero()};
+  for (const Link& link : rotary_) {
+    const double way = to[link.axis] - from[link.axis], at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
+    if (at == 0.0 && way == 0.0) continue;
+    const Eigen::Matrix3d turn = turnAbout(link.direction, link.sign * at);
+    d.at = turn * d.at;
+    d.velocity = turn * d.velocity + degToRad(link.sign * way) * link.direction.cross(d.at);
+  }
+  return d;
+}
+
+MachineChain::MotionBounds MachineChain::pointBounds(const AxisPoint& from, const AxisPoint& to, double low,
+                                                     double high, const Vec3& at_zero) const {
+  const double middle = 0.5 * (low + high), reach = 0.5 * (high - low);
+  Vec3 at = at_zero;  // in the middle
+  MotionBounds b;
+  for (const Link& link : links_) {
+    const double way = to[link.axis] - from[link.axis], there = from[link.axis] + middle * way;
+    if (!link.rotary) {
+      at += there * link.direction;
+      b.velocity += std::abs(way);
+      continue;
+    }
+    const Vec3 arm = turnAbout(link.direction, link.sign * there) * (at - link.point);
+    at = link.point + arm;
+    const double rate = std::abs(degToRad(way));
+    // The point is no farther from the axis than it may have come from where it is in the middle.
+    const double radius = link.direction.cross(arm).norm() + reach * b.velocity;
+    b.acceleration += 2.0 * rate * b.velocity + rate * rate * radius;
+    b.velocity += rate * radius;
+  }
+  return b;
+}
+
+MachineChain MachineChain::moved(const RigidTransform& move) const {
+  MachineChain out = *this;
+  for (std::vector<Link>* links : {&out.links_, &out.rotary_}) {
+    for (Link& link : *links) {
+      link.point = move(link.point);
+      link.direction = move.rotation * link.direction;
+    }
+  }
+  out.gauge_ = move(gauge_);
+  out.tool_ = move.rotation * tool_;
+  out.level_ = false;
+  return out;
+}
+
 MachineChain::Turn MachineChain::onlyTurn(const AxisPoint& a, const AxisPoint& b) const {
   Turn out{-1, 1.0, Vec3::Zero(), Vec3::UnitZ()};
   for (std::size_t i = 0; i < links_.size(); ++i) {

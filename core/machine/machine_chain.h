@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/geometry/rigid_transform.h"
 #include "core/machine/axis_point.h"
 #include "core/machine/machine_model.h"
 
@@ -48,6 +49,27 @@ class MachineChain {
   ToolPose pose(const AxisPoint& machine, double gauge_length) const {
     return {point(machine, tipAtZero(gauge_length)), toolAxis(machine)};
   }
+  /// A moving point (or a direction) and bounds of how it moves while the axes go linearly, the share of
+  /// their way growing from 0 to 1: mm (or nothing).
+  struct PointMotion {
+    Vec3 at = Vec3::Zero();
+    Vec3 velocity = Vec3::Zero();  ///< there, by the share
+  };
+  struct MotionBounds {
+    double velocity = 0.0, acceleration = 0.0;  ///< most length of the first and second derivative
+  };
+  /// Where a point that is fixed to the tool is at `share`, and how it moves.
+  PointMotion follow(const AxisPoint& from, const AxisPoint& to, double share, const Vec3& at_zero) const;
+  /// The same of a direction.
+  PointMotion followDirection(const AxisPoint& from, const AxisPoint& to, double share,
+                              const Vec3& at_zero) const;
+  /// Bounds over the shares from `low` to `high`, whichever the chain; they are near the truth where it is
+  /// short.
+  MotionBounds pointBounds(const AxisPoint& from, const AxisPoint& to, double low, double high,
+                           const Vec3& at_zero) const;
+  /// The same chain seen from a frame that `move` leads to.
+  MachineChain moved(const RigidTransform& move) const;
+
   /// Its tip with all axes at 0.
   Vec3 tipAtZero(double gauge_length) const { return gauge_ - gauge_length * tool_; }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/assert.h"
+#include "core/path/posed_way.h"
 
 namespace proveout {
 
@@ -20,6 +21,20 @@ std::string_view motionKindName(MotionKind kind) {
       return "probe";
   }
   return "feed";
+}
+
+std::string_view poseLawName(PoseLaw law) {
+  switch (law) {
+    case PoseLaw::kVector:
+      return "vector";
+    case PoseLaw::kTip:
+      return "tip";
+    case PoseLaw::kCone:
+      return "cone";
+    case PoseLaw::kAxes:
+      return "axes";
+  }
+  return "vector";
 }
 
 ArcFrame arcFrame(const Vec3& from, const Vec3& to, const ArcGeometry& arc) {
@@ -54,7 +69,17 @@ Vec3 arcPoint(const ArcFrame& f, const ArcGeometry& arc, double t) {
          f.n * (t * f.rise);
 }
 
+bool AxisSweep::tipLeaves() const {
+  return law == PoseLaw::kAxes || (pose != nullptr && pose->beyond != 0.0);
+}
+
+/// The tip's way is a curve of its own.
+static bool tipLeaves(const Toolpath& path, const Motion& m) {
+  return m.axis >= 0 && path.axes[static_cast<std::size_t>(m.axis)].tipLeaves();
+}
+
 Vec3 Toolpath::pointAt(const Motion& m, double u) const {
+  if (tipLeaves(*this, m)) return posedWayOf(*this, m).at(u).tip;
   if (m.arc < 0) return m.from + u * (m.to - m.from);
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < arcs.size());
   const ArcGeometry& arc = arcs[m.arc];
@@ -122,6 +147,7 @@ void extendBySpiral(Box3& box, const ArcFrame& f, const ArcGeometry& arc, int ax
 }  // namespace toolpath_detail
 
 Box3 Toolpath::bounds(const Motion& m) const {
+  if (tipLeaves(*this, m)) return posedWayOf(*this, m).tipBounds(0.0, 1.0);
   Box3 box;
   box.extend(m.from);
   box.extend(m.to);
@@ -141,6 +167,7 @@ Box3 Toolpath::bounds(const Motion& m) const {
 }
 
 double Toolpath::length(const Motion& m) const {
+  if (tipLeaves(*this, m)) return posedWayOf(*this, m).length();
   if (m.arc < 0) return (m.to - m.from).norm();
   PROVEOUT_ASSERT(static_cast<std::size_t>(m.arc) < arcs.size());
   const ArcGeometry& arc = arcs[m.arc];

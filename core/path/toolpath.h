@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,14 +50,31 @@ struct RotaryPosition {
 /// Rotary axes that a path may tell of.
 inline constexpr int kMaxRotaryAxes = 6;
 
+/// How a tool goes whose axis turns. The point that a law holds on the motion's line or arc is the tip, or one
+/// beside it on the tool's axis (PoseSweep::beyond, pose_sweep.h).
+enum class PoseLaw : std::uint8_t {
+  kVector,  ///< the point on the line or arc, the axis turning in one plane from start to end, less than 180 deg
+  kTip,     ///< the point on the line or arc, the rotary axes of the machine going linearly
+  kCone,    ///< the point on an arc, azimuth about the arc's axis and inclination to it going linearly
+  kAxes,    ///< all axes of the machine going linearly: the tip's way is what follows from that
+};
+std::string_view poseLawName(PoseLaw law);  ///< "vector", "tip", "cone", "axes"
+
+struct PoseSweep;
+
 /// The direction of the tool during a motion, and the rotary axes of the machine.
 struct AxisSweep {
   Vec3 from = Vec3::UnitZ();  ///< tool axis, unit, workpiece frame, from the tip to the spindle
-  Vec3 to = Vec3::UnitZ();    ///< turns from `from` at a constant rate
+  Vec3 to = Vec3::UnitZ();    ///< the same at the end
   int rotary_count = 0;
   std::array<RotaryPosition, kMaxRotaryAxes> rotary;
+  PoseLaw law = PoseLaw::kVector;
+  /// See pose_sweep.h. Null: kVector or kCone, of the tip itself.
+  std::shared_ptr<const PoseSweep> pose;
 
   bool alongZ() const { return from == Vec3::UnitZ() && to == Vec3::UnitZ(); }
+  /// Whether the tip may leave the motion's line or arc between its ends.
+  bool tipLeaves() const;
 };
 
 /// Where one point of a wire goes at its height, mm, workpiece frame: along a line, or a circular arc.
@@ -149,11 +167,12 @@ struct Toolpath {
   Diagnostics diagnostics;
   std::uint64_t blocks = 0;  ///< executed blocks (set by the interpreter's caller)
 
-  /// Point of motion `m` at parameter u in 0..1 (see ArcGeometry).
+  /// Point of motion `m` at parameter u in 0..1 (see ArcGeometry, PosedWay).
   Vec3 pointAt(const Motion& m, double u) const;
-  /// Bounds of the control point's path, exact for arcs.
+  /// Bounds of the control point's path, exact for arcs, a little wide where AxisSweep::tipLeaves().
   Box3 bounds(const Motion& m) const;
-  /// Length of the control point's path, mm (spirals: to 1e-9 relative by Simpson's rule).
+  /// Length of the control point's path, mm (spirals: to 1e-9 relative by Simpson's rule; see
+  /// PosedWay::length()).
   double length(const Motion& m) const;
 };
 
