@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/base/printable.h"
+#include "core/path/pose_sweep.h"
 
 namespace proveout {
 namespace {
@@ -179,6 +180,17 @@ void putThread(Buffer& b, const Motion& motion) {
   }
 }
 
+/// X, Y, Z of the machine at both ends; the rotary axes are told apart from them.
+void putPose(Buffer& b, const PoseSweep& pose) {
+  put(b, R"(,"machine_from":)");
+  putVector(b, pose.axes_from.xyz);
+  put(b, R"(,"machine_to":)");
+  putVector(b, pose.axes_to.xyz);
+  if (pose.beyond == 0.0) return;
+  put(b, R"(,"beyond":)");
+  putNumber(b, pose.beyond);
+}
+
 void putAxis(Buffer& b, const AxisSweep& axis) {
   if (!axis.alongZ()) {
     put(b, R"(,"axis_from":)");
@@ -186,6 +198,12 @@ void putAxis(Buffer& b, const AxisSweep& axis) {
     put(b, R"(,"axis_to":)");
     putVector(b, axis.to);
   }
+  if (axis.pose != nullptr || axis.from != axis.to) {
+    put(b, R"(,"law":")");
+    put(b, poseLawName(axis.law));
+    b.push_back('"');
+  }
+  if (axis.pose != nullptr) putPose(b, *axis.pose);
   for (int k = 0; k < axis.rotary_count; ++k) {
     const RotaryPosition& rotary = axis.rotary[static_cast<std::size_t>(k)];
     put(b, k == 0 ? R"(,"rotary":{")" : R"(,")");

@@ -26,6 +26,7 @@ target_sources(proveout_core PRIVATE
   nc/origins/origin_words.cpp
   nc/stages/path_emitter.cpp
   nc/stages/path_emitter_curves.cpp
+  nc/stages/path_emitter_poses.cpp
   nc/kinematics/program_transforms.cpp
   nc/text/program_heads.cpp
   nc/text/program_likeness.cpp
@@ -118,6 +119,9 @@ target_sources(proveout_core PRIVATE
   nc/iso/five_axis/five_axis.cpp
   nc/iso/five_axis/machine_data.cpp
   nc/iso/five_axis/tilt.cpp
+  nc/iso/five_axis/tip_control.cpp
+  nc/iso/five_axis/tip_way.cpp
+  nc/iso/five_axis/shank_track.cpp
   nc/iso/macro/arguments.cpp
   nc/iso/macro/calls.cpp
   nc/iso/model/environment.cpp

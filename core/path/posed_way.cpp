@@ -163,7 +163,7 @@ Box3 PosedWay::tipBounds(double low, double high) const {
 }
 
 double PosedWay::length() const {
-  constexpr double kRelative = 1e-6, kLeast = 1e-6;
+  constexpr double kRelative = 1e-7, kLeast = 1e-7;
   constexpr int kMostHalvings = 14;
   const auto speed = [&](double share) { return movingAt(share).rates.tip.norm(); };
   // Simpson's rule, halved until it stands.

@@ -69,10 +69,10 @@ struct AxisSweep {
   int rotary_count = 0;
   std::array<RotaryPosition, kMaxRotaryAxes> rotary;
   PoseLaw law = PoseLaw::kVector;
-  /// See pose_sweep.h. Null: kVector or kCone, of the tip itself.
+  /// See pose_sweep.h. Null: kVector or kCone, of the tip itself. Where it is not, the axis turns.
   std::shared_ptr<const PoseSweep> pose;
 
-  bool alongZ() const { return from == Vec3::UnitZ() && to == Vec3::UnitZ(); }
+  bool alongZ() const { return from == Vec3::UnitZ() && to == Vec3::UnitZ() && pose == nullptr; }
   /// Whether the tip may leave the motion's line or arc between its ends.
   bool tipLeaves() const;
 };

@@ -44,7 +44,8 @@ class GuardedBuilder : public ToolpathBuilder {
   void motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) override {
     ToolpathBuilder::motion(motion, arc, axis);
     // Twice: a growing vector holds its old half as long as it copies.
-    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0) + (axis ? sizeof(AxisSweep) : 0)),
+    add(2 * (sizeof(Motion) + (arc ? sizeof(ArcGeometry) : 0) + (axis ? sizeof(AxisSweep) : 0) +
+             (axis && axis->pose ? sizeof(PoseSweep) : 0)),
         motion.source);
   }
   void wireMotion(const Motion& motion, const WireSweep& wire) override {

@@ -14,10 +14,27 @@ RigidTransform into(const WorkpiecePlacement& placement, const Vec3& from) {
   return out;
 }
 
+std::shared_ptr<const PoseSweep> movedPose(const RigidTransform& move, const PoseSweep& pose,
+                                           MovedChain& chains) {
+  PoseSweep out = pose;
+  out.tip_at_zero = move(pose.tip_at_zero);
+  if (pose.chain != nullptr) {
+    const bool same = chains.of == pose.chain && chains.rotation == move.rotation &&
+                      chains.translation == move.translation;
+    if (!same)
+      chains = {pose.chain, move.rotation, move.translation,
+                std::make_shared<const MachineChain>(pose.chain->moved(move))};
+    out.chain = chains.chain;
+  }
+  return std::make_shared<const PoseSweep>(std::move(out));
+}
+
 /// A piece of a path, moved.
 class Moved {
  public:
-  Moved(const RigidTransform& move, const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis)
+  /// `chains` keeps what chains become, which many motions share.
+  Moved(const RigidTransform& move, const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis,
+        MovedChain& chains)
       : motion_(motion) {
     motion_.from = move(motion.from);
     motion_.to = move(motion.to);
@@ -30,6 +47,7 @@ class Moved {
       axis_ = *axis;
       axis_->from = move.rotation * axis->from;
       axis_->to = move.rotation * axis->to;
+      if (axis->pose != nullptr) axis_->pose = movedPose(move, *axis->pose, chains);
     }
   }
   const Motion& motion() const { return motion_; }
@@ -66,13 +84,13 @@ PlacedSink::PlacedSink(MotionSink& next, std::vector<ChannelPlacement> placement
     : next_(next), placements_(std::move(placements)) {}
 
 void PlacedSink::motion(const Motion& motion, const ArcGeometry* arc, const AxisSweep* axis) {
-  const Moved moved(moveOf(placements_, motion.channel), motion, arc, axis);
+  const Moved moved(moveOf(placements_, motion.channel), motion, arc, axis, chain_);
   next_.motion(moved.motion(), moved.arc(), moved.axis());
 }
 
 void PlacedSink::wireMotion(const Motion& motion, const WireSweep& wire) {
   const RigidTransform& move = moveOf(placements_, motion.channel);
-  const Moved moved(move, motion, nullptr, nullptr);
+  const Moved moved(move, motion, nullptr, nullptr, chain_);
   WireSweep there = wire;
   there.z_low += move.translation.z();
   there.z_high += move.translation.z();
@@ -83,7 +101,8 @@ void PlacedSink::wireMotion(const Motion& motion, const WireSweep& wire) {
 
 Result<std::optional<double>> PlacedProbe::firstContact(const Motion& move, const ArcGeometry* arc,
                                                         const AxisSweep* axis) {
-  const Moved moved(move_, move, arc, axis);
+  MovedChain chain;
+  const Moved moved(move_, move, arc, axis, chain);
   return inner_.firstContact(moved.motion(), moved.arc(), moved.axis());
 }
 

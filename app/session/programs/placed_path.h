@@ -4,11 +4,13 @@
 // workpiece lies where WorkpiecePlacement says. With both, a wrong offset moves the cuts.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/geometry/rigid_transform.h"
 #include "core/nc/control/control_host.h"
 #include "core/nc/control/control_settings.h"
+#include "core/path/pose_sweep.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {
@@ -22,6 +24,14 @@ RigidTransform pathIntoWorkpiece(const ControlSettings& settings);
 struct ChannelPlacement {
   int channel = 0;
   RigidTransform move;
+};
+
+/// A machine's chain that was moved last: many motions share one.
+struct MovedChain {
+  std::shared_ptr<const MachineChain> of;
+  Eigen::Matrix3d rotation;
+  Vec3 translation;
+  std::shared_ptr<const MachineChain> chain;
 };
 
 /// Passes a path on in the workpiece frame.
@@ -43,6 +53,7 @@ class PlacedSink : public MotionSink {
  private:
   MotionSink& next_;
   std::vector<ChannelPlacement> placements_;
+  MovedChain chain_;
 };
 
 /// Asks a probe that answers in the workpiece frame.

@@ -95,6 +95,8 @@ bool EmitStage::push(PathItem& item) {
   item.feed.compensated = item.feed.compensated || item.comp_on;
   if (item.function()) {
     function(item);
+  } else if (item.pose) {
+    emitter_.poseTo(item.to, *item.pose, item.rapid ? nullptr : &item.feed, item.source);
   } else if (item.in_polar) {
     polar(item);
   } else if (item.kind == PathItem::Kind::kArc) {

@@ -30,6 +30,7 @@
 #include "core/nc/kinematics/axes.h"
 #include "core/nc/kinematics/frames.h"
 #include "core/nc/stages/path_emitter.h"
+#include "core/nc/stages/pose_track.h"
 
 namespace proveout::nc {
 
@@ -92,6 +93,7 @@ struct PathItem : PathMotion {
   double value = 0.0;  ///< kSpindle: rpm, signed; kDwell, kEvent: s; kToolChange: number
   SpindleState spindle = SpindleState::kStopped;
   std::unique_ptr<EventKind> event;  ///< kEvent; kToolChange, kSpindle: what else its event tells
+  std::unique_ptr<PoseTrack> pose;   ///< of a line in machine space: how it really goes
   SourceRef source;
   std::uint32_t record =
       0;                  ///< what the control remembers of the block for alarms that come late; 0: nothing

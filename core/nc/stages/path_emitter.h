@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,7 +14,9 @@
 #include "core/nc/control/control_settings.h"
 #include "core/nc/control/run_summary.h"
 #include "core/nc/kinematics/axes.h"
+#include "core/nc/stages/pose_track.h"
 #include "core/nc/stages/time_stage.h"
+#include "core/path/pose_sweep.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {
@@ -90,6 +93,10 @@ class PathEmitter {
   void polarTo(const AxisPoint& to, const PolarPlane& plane, const std::optional<PolarArc>& arc,
                const FeedStyle* style, const SourceRef& source);
 
+  /// A way of the tip while rotary axes turn; at rapid without a feed, else the feed is the speed of the tip,
+  /// or of the rotary axes (degrees as mm) where the tip stays.
+  void poseTo(const AxisPoint& to, const PoseTrack& track, const FeedStyle* style, const SourceRef& source);
+
   /// The line that lineTo() would send now, without feed and time, for questions about it. Nothing: tables
   /// turn on the way, so that the tool goes along no line in the part.
   struct Line {
@@ -143,6 +150,13 @@ class PathEmitter {
   void sendCurve(const Motion& whole, const MachineCurve& at, const ArcGeometry* arc);
   void sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length);
   void sendTurned(const Motion& motion, const AxisPoint& to);
+  void sendPosed(Motion motion, const AxisPoint& to, const PoseSweep& pose);
+  bool sendHeld(const Motion& motion, const AxisPoint& to, const PoseTrack& track, const MotionPace* pace,
+                const MotionJoin& join);
+  void sendFollowed(const Motion& motion, const PoseTrack& track);
+  MotionPace trackPace(const PoseTrack& track, const FeedStyle* style) const;
+  PoseSweep poseOf(const AxisPoint& from, const AxisPoint& to);
+  bool goesAlike(const AxisPoint& from, const AxisPoint& to, const AxisPoint& middle) const;
   void furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                   const SourceRef& source);
   double polarMinutes(const PolarPlane& plane, const PolarLeg& leg, const FeedStyle& style,
@@ -166,6 +180,7 @@ class PathEmitter {
   int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
   MachineChain chain_;
+  std::shared_ptr<const MachineChain> shared_chain_;  ///< the same, for the path; made when it is needed
   AxisPoint machine_;
   Vec3 home_;
   AxisSweep sweep_;

@@ -1,12 +1,13 @@
 // Motions with axes besides X Y Z: turning tables, parallel axes in arcs, planes with a rotary axis. The path
-// in the part is a line or an arc where it is one exactly; else it goes along chords.
+// in the part is a line or an arc where it is one exactly; else it goes along chords, or, where the tool's
+// axis turns, by the law of its axes.
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/geometry/degrees.h"
 #include "core/nc/services/virtual_plane.h"
+#include "core/nc/stages/emitter_ways.h"
 #include "core/nc/stages/path_emitter.h"
 
 namespace proveout::nc {
@@ -18,14 +19,6 @@ constexpr double kShapeMm = 1e-7;
 constexpr double kAxisTurnRad = 0.5 * kPi;
 /// Most pieces of one motion before the tolerance divides them further: 100 turns.
 constexpr int kMaxPieces = 3600;
-/// Where shapes are compared: no fractions of a turn that an arc of several turns repeats.
-constexpr std::array<double, 4> kProbes{0.137, 0.389, 0.618, 0.871};
-
-AxisPoint between(const AxisPoint& a, const AxisPoint& b, double t) {
-  AxisPoint p;
-  for (int k = 0; k < kMaxAxes; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
-  return p;
-}
 
 /// The length of an arc that its feed is the speed of.
 double pacedLength(const FeedStyle& style, double r0, double r1, double sweep, double rise) {
@@ -131,6 +124,11 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
 void PathEmitter::sendTurned(const Motion& motion, const AxisPoint& to) {
   const AxisPoint start = machine_;
   const MachineCurve at = [&start, &to](double t) { return t >= 1.0 ? to : between(start, to, t); };
+  const auto upright = [&](double t) { return chain_.toolAxis(at(t)) == Vec3::UnitZ(); };
+  if (!upright(0.0) || !upright(0.618)) {
+    time_.flush();  // this motion has its own time
+    return sendPosed(motion, to, poseOf(start, to));
+  }
   ArcGeometry arc;
   const MachineChain::Turn turn = chain_.onlyTurn(start, to);
   if (turn.axis < 0) return sendCurve(motion, at, nullptr);

@@ -28,7 +28,7 @@ void RapidOverlapStage::configure(const MotionLimits& limits, double share, bool
 }
 
 bool RapidOverlapStage::push(PathItem& item) {
-  const bool overlaps = item.kind == PathItem::Kind::kLine && item.rapid && !item.in_polar;
+  const bool overlaps = item.kind == PathItem::Kind::kLine && item.rapid && !item.in_polar && !item.pose;
   if (!overlaps) return finish() && pass(item);
   return start(item);
 }

@@ -43,6 +43,9 @@ enum class SharedAlarm : std::uint8_t {
   kAxis,               ///< subject: an axis that cannot stand here
   kTorque,             ///< Q: of a measuring move, of a tilted plane
   kNoTilt,             ///< a code that needs a tilted plane
+  kNoLength,           ///< a code that needs a tool length
+  kTipAndTarget,       ///< a distance from the tip beside an end point
+  kInclination,        ///< subject: an angle that the tool cannot come to on the block's way
   kCompEndInArc,       ///< cutter compensation ends in an arc
   kCompNoIntersection,
   kCompInterference,

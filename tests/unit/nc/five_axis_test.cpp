@@ -16,83 +16,13 @@
 #include "core/machine/machine_chain.h"
 #include "core/nc/kinematics/five_axis_model.h"
 #include "core/nc/registry/interpreter.h"
+#include "tests/support/five_axis_runs.h"
 #include "tests/support/test_machines.h"
 
 namespace proveout {
 namespace {
 
-constexpr double kPrinted = 9e-5;  // half of the last printed digit in three coordinates
-
-struct Outcome {
-  Toolpath path;
-  InterpretSummary summary;
-  std::string error;
-};
-
-/// A machine with H1 = 100 and its zero, as the manual's examples take it.
-ControlSettings settingsOf(const MachineModel& machine, const Vec3& zero) {
-  ControlSettings settings;
-  settings.machine = machine;
-  int number = 4;
-  for (std::size_t k = 3; k < machine.axes.size(); ++k) {
-    AxisSettings axis;
-    axis.name = machine.axes[k].name;
-    axis.number = number++;
-    axis.kind = machine.axes[k].kind;
-    axis.carries = RotaryCarries::kNothing;
-    axis.limit = machine.axes[k].travel;
-    settings.axes.push_back(axis);
-  }
-  settings.work_offsets[0] = zero;
-  settings.work_given[0] = true;
-  settings.start = {0, 0, 0};
-  settings.length_offsets[1] = {100.0, 0.0};
-  settings.gauge_lengths[1] = 100.0;
-  settings.tool = 1;
-  return settings;
-}
-
-Outcome runOf(const std::string& text, const ControlSettings& settings) {
-  Outcome out;
-  ToolpathBuilder sink(out.path);
-  out.summary = interpret(ControlId::kNct, MemoryProgramSource("main.nc", text + "\nM30\n"), settings, sink);
-  for (const Diagnostic& d : out.path.diagnostics.all()) {
-    if (d.severity == Severity::kError && out.error.empty()) out.error = d.code + ": " + d.message;
-  }
-  return out;
-}
-
-/// Where the tip is at the end of a line of the program (from 1), in the workpiece frame, and its axis.
-ToolPose endOf(const Outcome& out, std::uint32_t line) {
-  ToolPose pose{Vec3::Constant(1e9), Vec3::Zero()};
-  for (const Motion& m : out.path.motions) {
-    if (m.source.line != line) continue;
-    pose.tip = m.to;
-    pose.axis = m.axis >= 0 ? out.path.axes[static_cast<std::size_t>(m.axis)].to : Vec3(Vec3::UnitZ());
-  }
-  return pose;
-}
-double rotaryAt(const Outcome& out, std::uint32_t line, std::string_view name) {
-  double value = 1e9;
-  for (const Motion& m : out.path.motions) {
-    if (m.source.line != line || m.axis < 0) continue;
-    const AxisSweep& sweep = out.path.axes[static_cast<std::size_t>(m.axis)];
-    for (int k = 0; k < sweep.rotary_count; ++k) {
-      const RotaryPosition& r = sweep.rotary[static_cast<std::size_t>(k)];
-      if (r.name.data() == name) value = r.to;
-    }
-  }
-  return value;
-}
-
-void expectTip(const Outcome& out, std::uint32_t line, const Vec3& tip) {
-  EXPECT_EQ(out.error, "");
-  const Vec3 found = endOf(out, line).tip;
-  EXPECT_LT((found - tip).norm(), kPrinted)
-      << "line " << line << ": " << found.transpose() << " for " << tip.transpose();
-}
-
-const Vec3 kTableZero(400, 300, -420);
+using namespace test;  // NOLINT
 
 TEST(LengthAlongTool, TheTipHoldsItsPlaceAtTheEnds) {
   const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100 A0 C0\nG43.1 Z100 H1\nA45\nG49 Z300",
@@ -107,7 +37,7 @@ TEST(LengthAlongTool, TheTipHoldsItsPlaceAtTheEnds) {
   bool seen = false;
   for (const Motion& m : out.path.motions) {
     if (m.source.line != 3 || m.axis < 0) continue;
-    seen = seen || (m.to - Vec3(0, 2.9130, 92.9674)).norm() < 2e-3;
+    seen = seen || (out.path.pointAt(m, 0.5) - Vec3(0, 2.9130, 92.9674)).norm() < kPrinted;
   }
   EXPECT_TRUE(seen);
 }
@@ -272,7 +202,7 @@ TEST(DynamicZero, ATableThatTurnsInALineBendsIt) {
   expectTip(out, 4, {43.3013, 0, -25});
   bool seen = false;
   for (const Motion& m : out.path.motions)
-    seen = seen || (m.source.line == 4 && (m.to - Vec3(0, 0, -2.7259)).norm() < 2e-3);
+    seen = seen || (m.source.line == 4 && (out.path.pointAt(m, 0.5) - Vec3(0, 0, -2.7259)).norm() < kPrinted);
   EXPECT_TRUE(seen);
 }
 

@@ -6,6 +6,7 @@
 #include "core/geometry/degrees.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/five_axis/five_axis.h"
+#include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/services/rollover.h"
 
 namespace proveout::nc {
@@ -107,7 +108,7 @@ double shownPosition(const IsoContext& c, int axis, double value) {
 
 bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words) {
   target = plan.start;
-  if (!c.anyAxisWord()) return true;
+  if (!namesMotion(c, plan)) return true;
   const AxisModal& modal = plan.next.axes;
   const bool polar = words == WordsAre::kModal && plan.next.active[kGroupPolarData] == gcode::kPolarData;
   PolarWord radius, angle;
@@ -138,7 +139,9 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   }
   if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
     return false;
-  return words == WordsAre::kReference || !plan.next.five.follows() || followRotaryAxes(c, plan, target);
+  if (words == WordsAre::kReference || !plan.next.five.follows()) return true;
+  if (plan.next.five.tip == TipControl::kVector && !takeToolVector(c, plan, target)) return false;
+  return followRotaryAxes(c, plan, target);
 }
 
 }  // namespace proveout::nc

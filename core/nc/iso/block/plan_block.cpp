@@ -8,6 +8,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/five_axis/five_axis.h"
+#include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/frames/transforms.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/motion/planes.h"
@@ -315,13 +316,21 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   IsoState& next = plan.next;
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
+  if (code && mode != gcode::kTipByAngles && mode != gcode::kTipByVector && mode != gcode::kLengthOff &&
+      next.five.tip != TipControl::kOff)
+    return c.fail("tcp-definition", fmt::format("{} cannot follow tool centre point control at once: program "
+                                                "G49 first", gName(mode)));
   if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
     return c.alarm(SharedAlarm::kInSmoothing, code ? gName(code->code10) : "H");
   }
   if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
-    next.five.along_tool = false;
+    if (next.five.tip != TipControl::kOff && !leavesTipControl(c, plan)) return false;
+    next.five.along_tool = next.five.shank = false;
+    next.five.tip = TipControl::kOff;
     plan.frames_changed = true;
+  } else if (mode == gcode::kTipByAngles || mode == gcode::kTipByVector) {
+    if (!planTipControl(c, plan)) return false;
   } else if (mode == gcode::kLengthAlongTool && (code || c.block.present.has('H'))) {
     if (!planLengthAlongTool(c, plan)) return false;
   } else if (mode == gcode::kLengthTurning && (code || c.block.present.has('H'))) {
@@ -414,8 +423,11 @@ bool govern(IsoContext& c, BlockPlan& plan) {
   plan.governor = code;
   // To a modal motion a word that another code owns is no word; a code of this block cannot share one.
   const bool own_code = plan.by_group[static_cast<std::size_t>(code->group)] == code;
-  if (own_code && !(plan.claimed & code->words & c.block.present).empty()) {
-    return sharedWord(c, plan, code->words, gName(code->code10));
+  // Under G43.5 I, J and K are never the centre of an arc.
+  const AddressSet words =
+      plan.next.five.tip == TipControl::kVector ? code->words.without("IJK") : code->words;
+  if (own_code && !(plan.claimed & words & c.block.present).empty()) {
+    return sharedWord(c, plan, words, gName(code->code10));
   }
   return code->plan(c, plan);
 }

@@ -99,9 +99,14 @@ CoordinateChain IsoContext::chainOf(const IsoState& s, const AxisPoint& at) cons
   spatial.zero.offset = zero;
   if (s.five.dynamic_zero > 0) {
     const AxisPoint& row = registers.dynamic_zeros[static_cast<std::size_t>(s.five.dynamic_zero - 1)];
-    spatial.zero.offset = five_axes.dynamicZero(angles, row.xyz, five_axes.at(row));
+    const RotaryAngles measured = five_axes.at(row);
+    if (s.five.turnsWithTable()) {
+      spatial.zero = five_axes.workpieceOnTable(angles, five_axes.dynamicZero(measured, row.xyz, measured), measured);
+    } else {
+      spatial.zero.offset = five_axes.dynamicZero(angles, row.xyz, measured);
+    }
     spatial.rotary_offset.more = row.more;
-  } else if (s.five.on_table) {
+  } else if (s.five.turnsWithTable()) {
     spatial.zero = five_axes.workpieceOnTable(angles, zero, five_axes.at(spatial.rotary_offset));
   }
   spatial.length = s.length.xyz;

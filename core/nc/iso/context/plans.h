@@ -38,6 +38,8 @@ bool planTiltedPlane(IsoContext& c, BlockPlan& plan);
 // motion/tool_direction.cpp
 /// G53.1.
 bool planToolDirection(IsoContext& c, BlockPlan& plan);
+/// G53.6.
+bool planToolDirectionAboutTip(IsoContext& c, BlockPlan& plan);
 
 // five_axis/dynamic_zero.cpp
 /// G10 L21.

@@ -61,7 +61,7 @@ bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
   plan.new_chain = c.chainOf(plan.next, end);
   plan.chain = &*plan.new_chain;
   plan.frames_changed = plan.flush = true;
-  if (!byTransformation(c)) return true;  // `target` holds the old coordinates of axes without a word
+  if (!byTransformation(c) || plan.next.five.tip != TipControl::kOff) return true;  // `target` holds the old coordinates of axes without a word
   AxisPoint stands = c.machine;
   stands.more = end.more;
   stands = plan.chain->programOf(stands);

@@ -24,6 +24,7 @@ inline constexpr std::int32_t kKeepVector = 380;  // of cutter compensation
 inline constexpr std::int32_t kCompOff = 400, kCompLeft = 410, kCompRight = 420;
 inline constexpr std::int32_t kLengthPlus = 430, kLengthTurning = 437, kLengthMinus = 440, kLengthOff = 490;
 inline constexpr std::int32_t kLengthAlongTool = 431, kToolDirection = 531, kDynamicZero = 542;  // five axes
+inline constexpr std::int32_t kTipByAngles = 434, kTipByVector = 435, kToolDirectionAboutTip = 536;
 inline constexpr std::int32_t kSpaceRotation = 681, kTiltedPlane = 682;
 inline constexpr std::int32_t kScalingOff = 500, kMirrorOff = 501, kMirror = 511;
 inline constexpr std::int32_t kLocalShift = 520, kMachineMove = 530, kSetPosition = 920;

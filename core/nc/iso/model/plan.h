@@ -54,6 +54,8 @@ struct PlannedMotion {
   PathMotion::Meet meet = PathMotion::Meet::kNo;
   double join_size = 0.0;            ///< mm
   double angle = 0.0, radius = 0.0;  ///< of over-determined blocks, see PathMotion
+  bool about_tip = false;            ///< the tip is held on its way while rotary axes turn (G53.6)
+  double pivot_mm = 0.0;             ///< with it: from the point that is held to the tip, along the tool
 };
 
 /// Plain motion blocks that agree in these have words for the same things.

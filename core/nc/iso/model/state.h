@@ -45,6 +45,9 @@ struct AutomaticBits {
   bool no_exact_stop = false;
 };
 
+/// Tool centre point control: off, with angles of the rotary axes (G43.4), with directions (G43.5).
+enum class TipControl : std::int8_t { kOff, kAngles, kVector };
+
 /// Tilted planes and what follows the rotary axes (manual chapter 25).
 struct FiveAxisState {
   FrameStep tilt;                ///< of G68.1, G68.2: from programmed to workpiece coordinates
@@ -53,9 +56,15 @@ struct FiveAxisState {
   bool on_table = false;         ///< the coordinates turn with the tables: since G53.1
   bool along_tool = false;       ///< the length offset follows the heads: G43.1, and G43 since G53.1
   std::int8_t dynamic_zero = 0;  ///< P of G54.2; 0: it is off
+  TipControl tip = TipControl::kOff;
+  bool shank = false;          ///< P1 of G43.4, G43.5
+  bool vector_given = false;   ///< I, J, K of G43.5 in this block
+  Vec3 vector = Vec3::Zero();  ///< these, as programmed, any length
+  /// Do the coordinates turn with the tables?
+  bool turnsWithTable() const { return on_table || tip != TipControl::kOff; }
   bool any() const { return rotations > 0 || tilted || on_table || follows(); }
   /// Do the coordinates depend on where the rotary axes are?
-  bool follows() const { return on_table || along_tool || dynamic_zero > 0; }
+  bool follows() const { return turnsWithTable() || along_tool || dynamic_zero > 0; }
 };
 
 /// Everything that a block may change and that stays. A value that owns no memory: blocks work on a copy. A

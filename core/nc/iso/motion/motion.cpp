@@ -7,6 +7,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/motion/planes.h"
@@ -34,7 +35,7 @@ bool stepsAside(const IsoContext& c, const BlockPlan& plan) {
 
 bool planRapid(IsoContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
-  if (!c.anyAxisWord()) return true;
+  if (!namesMotion(c, plan)) return true;
   plan.perform = performMove;
   if (stepsAside(c, plan) && (plan.next.compOffset() != 0.0 || c.state.compOffset() != 0.0)) {
     plan.motion.rapid = plan.next.feed <= 0.0;
@@ -49,7 +50,7 @@ bool planRapid(IsoContext& c, BlockPlan& plan) {
 bool planLine(IsoContext& c, BlockPlan& plan) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   if (hasContourWords(c.block) ? !planLineContour(c, plan) : !refuseChoice(c, plan)) return false;
-  if (!c.anyAxisWord() && plan.motion.meet == PathItem::Meet::kNo) return true;
+  if (!namesMotion(c, plan) && plan.motion.meet == PathItem::Meet::kNo) return true;
   plan.perform = performMove;
   plan.motion.rapid = false;
   return feedStyle(c, plan, plan.motion.feed);

@@ -9,6 +9,7 @@
 #include "core/nc/iso/context/origins.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/system_variables/status_bank.h"
 #include "core/nc/iso/tools/tools.h"
@@ -184,6 +185,7 @@ bool pushMotion(IsoContext& c, BlockPlan& plan, PathItem::Kind kind) {
 }
 
 bool performMove(IsoContext& c, BlockPlan& plan) {
+  if (turnsAboutTip(c, plan)) return performTipMove(c, plan);
   engageComp(c, plan);
   const PlannedMotion& motion = plan.motion;
   PathItem item;

@@ -235,7 +235,7 @@ bool planSpindle(IsoContext& c, BlockPlan& plan) {
   int index = std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
   if (plan.by_group[kGroupSurfaceSpeed] != nullptr) index = all.main;  // G97 S
   const Word* p = c.block.find('P');
-  if (p && takesNumber(plan)) {
+  if (p && !plan.claimed.has('P') && takesNumber(plan)) {
     std::int64_t number = 0;
     if (!integerWord(c, *p, 1, kMaxSpindles, number)) return false;
     index = indexOf(c, number);

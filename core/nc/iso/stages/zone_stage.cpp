@@ -254,9 +254,23 @@ bool ZoneStage::pushPolar(PathItem& item) {
   return pass(item);
 }
 
+/// The same of a motion whose axes follow the tip.
+bool ZoneStage::pushPose(PathItem& item) {
+  constexpr int kChords = 64;
+  AxisPoint last = c_.emitter.machine();
+  for (int i = 1; i <= kChords; ++i) {
+    const AxisPoint p = item.pose->at(static_cast<double>(i) / kChords);
+    const ZonePath chord(last, p, c_.axes.count());
+    if (const auto found = during(chord)) return stop(item, *found, chord, false);
+    last = p;
+  }
+  return pass(item);
+}
+
 bool ZoneStage::push(PathItem& item) {
   if (item.kind != PathItem::Kind::kLine && item.kind != PathItem::Kind::kArc) return pass(item);
   if (item.in_polar) return pushPolar(item);
+  if (item.pose) return pushPose(item);
   const ZonePath path = pathOf(c_, item);
   if (check_before_) {
     if (const auto found = before(path)) return stop(item, *found, path, false);

@@ -59,6 +59,7 @@ class ZoneStage final : public PathStage {
   std::optional<Found> before(const ZonePath& path) const;
   std::optional<Found> during(const ZonePath& path) const;
   bool pushPolar(PathItem& item);
+  bool pushPose(PathItem& item);
   bool stop(PathItem& item, const Found& found, const ZonePath& path, bool moves);
   std::string axisName(const ZoneHit& hit) const;
 

@@ -1,0 +1,192 @@
+// Motions during which rotary axes turn the tool: by the law of the machine's axes, or with the tip held on
+// its way by the control.
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/stages/emitter_ways.h"
+#include "core/nc/stages/path_emitter.h"
+#include "core/path/posed_way.h"
+
+namespace proveout::nc {
+namespace {
+
+/// A way this near to its law follows it: rounding noise of the coordinates.
+constexpr double kLawMm = 1e-7;
+/// Where the control's data are not the machine's, its way goes by pieces that are this near to it. A point of
+/// the tool so far from the tip counts as well.
+constexpr double kPieceMm = 5e-5, kReachMm = 100.0;
+constexpr int kMostHalvings = 12;
+/// Axes of a tool that differ less are one.
+constexpr double kSameAxis = 1e-12;
+/// Tips that move less stay.
+constexpr double kStaysMm = 1e-6;
+/// Places at which the speed of the axes is looked at.
+constexpr int kSpeedSteps = 16;
+
+bool alike(const ToolPose& a, const ToolPose& b, double most) {
+  return (a.tip - b.tip).norm() <= most && kReachMm * (a.axis - b.axis).norm() <= most;
+}
+
+}  // namespace
+
+PoseSweep PathEmitter::poseOf(const AxisPoint& from, const AxisPoint& to) {
+  if (shared_chain_ == nullptr) shared_chain_ = std::make_shared<const MachineChain>(chain_);
+  PoseSweep pose;
+  pose.chain = shared_chain_;
+  pose.axes_from = from;
+  pose.axes_to = to;
+  pose.tip_at_zero = to_workpiece_;
+  return pose;
+}
+
+/// One motion to `to` by the law of the axes.
+void PathEmitter::sendPosed(Motion motion, const AxisPoint& to, const PoseSweep& pose) {
+  AxisSweep sweep = *sweepTo(to);
+  sweep.law = PoseLaw::kAxes;
+  sweep.pose = std::make_shared<const PoseSweep>(pose);
+  motion.from = toolPoint(machine_);
+  motion.to = toolPoint(to);
+  motion.tool = tool_;
+  if (motion.spindle == 0.0) motion.spindle = spindle_;
+  if (motion.kind != MotionKind::kRapid && motion.time_s > 0.0)
+    motion.feed = 60.0 * PosedWay(motion, nullptr, sweep).length() / motion.time_s;
+  const AxisPoint from = machine_;
+  machine_ = to;
+  if (any_limit_) checkMachineTravel(from, motion.source);
+  ++summary_.motions;
+  time_.pass(motion, nullptr, &sweep);
+}
+
+/// Speed and directions of a way that the axes follow.
+MotionPace PathEmitter::trackPace(const PoseTrack& track, const FeedStyle* style) const {
+  MotionPace pace;
+  pace.rapid = style == nullptr;
+  pace.length = track.tip_mm > kStaysMm ? track.tip_mm : furtherTravel(track.at(1.0));
+  double minutes = style == nullptr ? 0.0 : pace.length / style->feed;
+  AxisPoint last = machine_, most;
+  for (int i = 1; i <= kSpeedSteps; ++i) {
+    const AxisPoint next = track.at(static_cast<double>(i) / kSpeedSteps);
+    AxisPoint direction;
+    for (int k = 0; k < axes_.count(); ++k) {
+      const double way = kSpeedSteps * std::abs(next[k] - last[k]);  // were it so all the time
+      const double fastest = style != nullptr   ? time_.limits().axes[static_cast<std::size_t>(k)].max_feed
+                             : k < kMainAxes    ? settings_.rapid_mm_min[k]
+                                                : axes_.at(k).rapid;
+      if (fastest > 0.0) minutes = std::max(minutes, way / fastest);
+      most[k] = std::max(most[k], way / pace.length);
+      direction[k] = kSpeedSteps * (next[k] - last[k]) / pace.length;
+    }
+    if (i == 1) pace.begin = direction;
+    pace.end = direction;
+    last = next;
+  }
+  pace.speed = pace.length / (60.0 * minutes);
+  pace.acceleration = lineAcceleration(time_.limits(), most, axes_.count());
+  return pace;
+}
+
+/// The way as its law says; false: the machine does not follow it, and nothing was sent.
+bool PathEmitter::sendHeld(const Motion& held, const AxisPoint& to, const PoseTrack& track,
+                           const MotionPace* pace, const MotionJoin& join) {
+  Motion motion = held;
+  AxisSweep sweep = *sweepTo(to);
+  sweep.law = track.law;
+  PoseSweep pose = poseOf(machine_, to);
+  const auto gauge = gauges_.find(tool_);
+  pose.beyond = track.held_mm + track.length - (gauge == gauges_.end() ? 0.0 : gauge->second.z());
+  motion.from = toolPoint(machine_);
+  motion.to = toolPoint(to);
+  ArcGeometry arc;
+  if (track.arc) {
+    const Vec3 back = pose.beyond * sweep.from;
+    arc.center = toolPoint(track.arc->center) - back;
+    arc.normal = (toolPoint(track.arc->above) - back - arc.center).normalized();
+    arc.sweep_rad = track.arc->sweep_rad;
+    motion.arc = 0;
+  }
+  sweep.pose = std::make_shared<const PoseSweep>(pose);
+  const ArcGeometry* curve = track.arc ? &arc : nullptr;
+  const PosedWay way(motion, curve, sweep);
+  bool turns = (sweep.to - sweep.from).norm() > kSameAxis;
+  for (const double t : kProbes) {
+    const AxisPoint at = track.at(t);
+    const ToolPose pose_there{toolPoint(at), chain_.toolAxis(at)};
+    if (!alike(way.at(t), pose_there, kLawMm)) return false;
+    turns = turns || (pose_there.axis - sweep.from).norm() > kSameAxis;
+  }
+  if (!turns) {  // a table turns about the tool's own direction
+    sweep.pose = nullptr;
+    sweep.law = PoseLaw::kVector;
+    arc.center += pose.beyond * sweep.from;
+  }
+  const AxisPoint end = to;
+  AxisPoint last = machine_;
+  if (any_limit_) {  // the linear axes may swing beyond both ends
+    for (int i = 1; i <= kSpeedSteps; ++i) {
+      machine_ = i == kSpeedSteps ? end : track.at(static_cast<double>(i) / kSpeedSteps);
+      checkMachineTravel(last, motion.source);
+      last = machine_;
+    }
+  }
+  machine_ = end;
+  ++summary_.motions;
+  if (pace == nullptr) {
+    time_.flush();
+    time_.pass(motion, curve, &sweep);
+  } else {
+    time_.motion(motion, curve, &sweep, *pace, join);
+  }
+  return true;
+}
+
+/// Whether the axes, going linearly, pass where the control has them in the middle.
+bool PathEmitter::goesAlike(const AxisPoint& from, const AxisPoint& to, const AxisPoint& middle) const {
+  const AxisPoint straight = between(from, to, 0.5);
+  return alike({toolPoint(straight), chain_.toolAxis(straight)}, {toolPoint(middle), chain_.toolAxis(middle)},
+               kPieceMm);
+}
+
+/// The way as the machine follows it, in pieces along which its axes go linearly.
+void PathEmitter::sendFollowed(const Motion& motion, const PoseTrack& track) {
+  time_.flush();
+  const std::function<void(double, double, int)> halve = [&](double low, double high, int left) {
+    const AxisPoint to = track.at(high);
+    const double middle = 0.5 * (low + high), quarter = 0.5 * (low + middle);
+    // Two places: a way that crosses its chord in the middle is seen at the other.
+    const AxisPoint straight = between(machine_, to, 0.25), there = track.at(quarter);
+    const bool near = goesAlike(machine_, to, track.at(middle)) &&
+                      alike({toolPoint(straight), chain_.toolAxis(straight)},
+                            {toolPoint(there), chain_.toolAxis(there)}, kPieceMm);
+    if (left > 0 && !near) {
+      halve(low, middle, left - 1);
+      halve(middle, high, left - 1);
+      return;
+    }
+    Motion piece = motion;
+    piece.time_s = motion.time_s * (high - low);
+    sendPosed(piece, to, poseOf(machine_, to));
+  };
+  halve(0.0, 1.0, kMostHalvings);
+}
+
+void PathEmitter::poseTo(const AxisPoint& to, const PoseTrack& track, const FeedStyle* style,
+                         const SourceRef& source) {
+  if (track.tip_mm <= kStaysMm && furtherTravel(to) < kStaysMm) return;
+  const MotionPace pace = trackPace(track, style);
+  Motion m;
+  m.kind = style != nullptr ? style->kind : MotionKind::kRapid;
+  m.source = source;
+  m.time_s = pace.length / pace.speed;
+  if (style != nullptr) {
+    m.spindle = style->spindle;
+    m.feed = 60.0 * pace.speed;
+  }
+  m.tool = tool_;
+  if (m.spindle == 0.0) m.spindle = spindle_;
+  MotionJoin join = style != nullptr ? style->join : MotionJoin{};
+  join.stops = join.stops || style == nullptr;
+  const bool wants_pace = time_.wantsPace(join);
+  if (!sendHeld(m, to, track, wants_pace ? &pace : nullptr, join)) sendFollowed(m, track);
+}
+
+}  // namespace proveout::nc
