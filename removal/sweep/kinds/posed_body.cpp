@@ -1,0 +1,107 @@
+#include "removal/sweep/kinds/posed_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "removal/sweep/kinds/line_meeting.h"
+
+namespace proveout {
+
+namespace posed_body_detail {
+
+/// A pose that holds the end of an interval no deeper than this does not go on with it, mm.
+constexpr double kHeldMm = 2e-9;
+/// Climbing ends where a step gains less, mm.
+constexpr double kStillMm = 1e-11;
+constexpr int kMostClimbs = 200;
+/// What is between two intervals, or an interval, that is shorter than this is not looked for, mm: it is no
+/// thicker than that anywhere on the column.
+constexpr double kLeastStepMm = 2e-5;
+/// Steps of the search in one column.
+constexpr int kMostSteps = 100000;
+
+}  // namespace posed_body_detail
+
+using namespace posed_body_detail;
+
+PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t stretch)
+    : sweep_(&sweep), number_(stretch), bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {
+  const ConvexProfile& profile = sweep.profile();
+  const double reach =
+      std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
+  shift_ = sweep.stretches()[stretch].mostShift(reach) + kTrackMm;
+}
+
+ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
+  const PosedStretch::Pose pose = stretch().poseAt(t);
+  const ToolFrame frame(pose.axis);
+  LineMeeting meeting({frame.toTool(Vec3(x, y, pose.tip.z()) - pose.tip), frame.toTool(Vec3::UnitZ())},
+                      Vec3::Zero());
+  meeting.meet(sweep_->profile());
+  return {meeting.span().lo + pose.tip.z(), meeting.span().hi + pose.tip.z()};
+}
+
+/// Heights between which the part, so much wider and longer in the middle of the stretch, is over the line.
+ColumnSpan PosedPiece::grownSpan(double x, double y, double grown) const {
+  const ToolFrame frame(stretch().middleAxis());
+  const Vec3 tip = stretch().middleTip();
+  LineMeeting meeting({frame.toTool(Vec3(x, y, tip.z()) - tip), frame.toTool(Vec3::UnitZ())}, Vec3::Zero());
+  const ConvexProfile& profile = sweep_->profile();
+  meeting.meetCylinder(profile.maxRadius() + grown, profile.zMin() - grown, profile.zMax() + grown);
+  if (!(meeting.span().lo < meeting.span().hi)) return {};
+  return {std::max(meeting.span().lo + tip.z(), bounds_.min.z()),
+          std::min(meeting.span().hi + tip.z(), bounds_.max.z())};
+}
+
+PosedPlace PosedPiece::nearest(const Vec3& p, double enough, const PosedPlace& start) const {
+  return sweep_->nearest(p, {std::numeric_limits<double>::infinity(), kLineToleranceMm, enough}, number_,
+                         number_ + 1, &start);
+}
+
+/// From a point that the pose `at` holds to the end of what is covered without a gap; direction: +1 up, -1
+/// down.
+double PosedPiece::climb(double x, double y, double z, double direction, PosedPlace at) const {
+  for (int round = 0; round < kMostClimbs; ++round) {
+    const ColumnSpan span = spanAt(x, y, at.t);
+    const double next = direction > 0.0 ? span.hi : span.lo;
+    if (!(direction * (next - z) > kStillMm) && round > 0) break;
+    if (direction * (next - z) > 0.0 && std::isfinite(next)) z = next;
+    at = nearest({x, y, z}, -kHeldMm, at);
+    if (at.value >= -kHeldMm) break;
+  }
+  return z;
+}
+
+ColumnSpan PosedPiece::column(double x, double y, int number) const {
+  if (x < bounds_.min.x() || x > bounds_.max.x() || y < bounds_.min.y() || y > bounds_.max.y()) return {};
+  const ColumnSpan all = grownSpan(x, y, shift_);
+  PosedPlace at{number_, 0.0, 0.0};
+  double z = all.lo;
+  for (int step = 0; z < all.hi && step < kMostSteps; ++step) {
+    at = nearest({x, y, z}, -kHeldMm, at);
+    const ColumnSpan span = spanAt(x, y, at.t);
+    const bool ahead = span.lo < span.hi && span.hi > z;
+    if (!ahead) {
+      z += std::max(at.value, kLeastStepMm);
+      continue;
+    }
+    const double inside = std::max(z, 0.5 * (span.lo + span.hi));
+    ColumnSpan found{z, climb(x, y, inside, 1.0, at)};
+    if (at.value > 0.0) found.lo = climb(x, y, inside, -1.0, at);
+    if (number-- == 0) return found;
+    z = found.hi + kLeastStepMm;
+  }
+  return {};
+}
+
+/// As LeanLine::around.
+ColumnSpan PosedPiece::around(double x, double y, double half_width) const {
+  if (x + half_width < bounds_.min.x() || x - half_width > bounds_.max.x() ||
+      y + half_width < bounds_.min.y() || y - half_width > bounds_.max.y())
+    return {};
+  const ColumnSpan span = grownSpan(x, y, std::sqrt(2.0) * half_width + shift_ + kCullSlackMm);
+  if (!(span.lo <= span.hi)) return {};
+  return {span.lo - kCullSlackMm, span.hi + kCullSlackMm};
+}
+
+}  // namespace proveout
