@@ -1,6 +1,7 @@
 #include "removal/sweep/kinds/posed_body.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "removal/sweep/kinds/line_meeting.h"
@@ -18,14 +19,26 @@ constexpr int kMostClimbs = 200;
 /// thicker than that anywhere on the column.
 constexpr double kLeastStepMm = 2e-5;
 /// Steps of the search in one column.
-constexpr int kMostSteps = 100000;
+constexpr int kMostMarches = 100000;
+/// Parts of a stretch whose surroundings tell where to look.
+constexpr int kWayParts = 4;
+/// Columns that a thread keeps: those of a leaf.
+constexpr std::size_t kKept = 64;
+
+inline std::uint64_t nextId() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
 
 }  // namespace posed_body_detail
 
 using namespace posed_body_detail;
 
 PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t stretch)
-    : sweep_(&sweep), number_(stretch), bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {
+    : sweep_(&sweep),
+      number_(stretch),
+      id_(nextId()),
+      bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {
   const ConvexProfile& profile = sweep.profile();
   const double reach =
       std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
@@ -41,16 +54,28 @@ ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   return {meeting.span().lo + pose.tip.z(), meeting.span().hi + pose.tip.z()};
 }
 
-/// Heights between which the part, so much wider and longer in the middle of the stretch, is over the line.
-ColumnSpan PosedPiece::grownSpan(double x, double y, double grown) const {
-  const ToolFrame frame(stretch().middleAxis());
-  const Vec3 tip = stretch().middleTip();
-  LineMeeting meeting({frame.toTool(Vec3(x, y, tip.z()) - tip), frame.toTool(Vec3::UnitZ())}, Vec3::Zero());
+/// Heights between which the part, so much wider and longer at a pose, is over the line.
+ColumnSpan PosedPiece::grownSpan(double x, double y, double t, double grown) const {
+  const PosedStretch::Pose pose = stretch().poseAt(t);
+  const ToolFrame frame(pose.axis);
+  LineMeeting meeting({frame.toTool(Vec3(x, y, pose.tip.z()) - pose.tip), frame.toTool(Vec3::UnitZ())},
+                      Vec3::Zero());
   const ConvexProfile& profile = sweep_->profile();
   meeting.meetCylinder(profile.maxRadius() + grown, profile.zMin() - grown, profile.zMax() + grown);
   if (!(meeting.span().lo < meeting.span().hi)) return {};
-  return {std::max(meeting.span().lo + tip.z(), bounds_.min.z()),
-          std::min(meeting.span().hi + tip.z(), bounds_.max.z())};
+  return {std::max(meeting.span().lo + pose.tip.z(), bounds_.min.z()),
+          std::min(meeting.span().hi + pose.tip.z(), bounds_.max.z())};
+}
+
+/// Heights outside of which the piece covers nothing of a column.
+ColumnSpan PosedPiece::searched(double x, double y) const {
+  ColumnSpan all;
+  for (int k = 0; k < kWayParts; ++k) {
+    // Bounds of how far points go hold for any part of the stretch alike.
+    const ColumnSpan part = grownSpan(x, y, (2.0 * k + 1.0) / kWayParts - 1.0, shift_ / kWayParts);
+    all.lo = std::min(all.lo, part.lo), all.hi = std::max(all.hi, part.hi);
+  }
+  return all;
 }
 
 PosedPlace PosedPiece::nearest(const Vec3& p, double enough, const PosedPlace& start) const {
@@ -74,24 +99,50 @@ double PosedPiece::climb(double x, double y, double z, double direction, PosedPl
 
 ColumnSpan PosedPiece::column(double x, double y, int number) const {
   if (x < bounds_.min.x() || x > bounds_.max.x() || y < bounds_.min.y() || y > bounds_.max.y()) return {};
-  const ColumnSpan all = grownSpan(x, y, shift_);
+  return columnOf(x, y).spans[static_cast<std::size_t>(number)];
+}
+
+const PosedPiece::Column& PosedPiece::columnOf(double x, double y) const {
+  struct Kept {
+    std::uint64_t id = 0;
+    double x, y;
+    Column column;
+  };
+  thread_local std::array<Kept, kKept> kept;
+  thread_local std::size_t next = 0;
+  // Columns are asked for in the same order again.
+  for (std::size_t i = 0; i < kKept; ++i) {
+    const std::size_t at = (next + i) % kKept;
+    if (kept[at].id != id_ || kept[at].x != x || kept[at].y != y) continue;
+    next = (at + 1) % kKept;
+    return kept[at].column;
+  }
+  Kept& fresh = kept[next];
+  next = (next + 1) % kKept;
+  fresh = {id_, x, y, findColumn(x, y)};
+  return fresh.column;
+}
+
+PosedPiece::Column PosedPiece::findColumn(double x, double y) const {
+  Column out;
+  std::size_t count = 0;
+  const ColumnSpan all = searched(x, y);
   PosedPlace at{number_, 0.0, 0.0};
   double z = all.lo;
-  for (int step = 0; z < all.hi && step < kMostSteps; ++step) {
+  for (int step = 0; z < all.hi && step < kMostMarches && count < kMostSpans; ++step) {
     at = nearest({x, y, z}, -kHeldMm, at);
     const ColumnSpan span = spanAt(x, y, at.t);
-    const bool ahead = span.lo < span.hi && span.hi > z;
-    if (!ahead) {
+    if (!(span.lo < span.hi && span.hi > z)) {
       z += std::max(at.value, kLeastStepMm);
       continue;
     }
     const double inside = std::max(z, 0.5 * (span.lo + span.hi));
-    ColumnSpan found{z, climb(x, y, inside, 1.0, at)};
+    ColumnSpan& found = out.spans[count++];
+    found = {z, climb(x, y, inside, 1.0, at)};
     if (at.value > 0.0) found.lo = climb(x, y, inside, -1.0, at);
-    if (number-- == 0) return found;
     z = found.hi + kLeastStepMm;
   }
-  return {};
+  return out;
 }
 
 /// As LeanLine::around.
@@ -99,7 +150,7 @@ ColumnSpan PosedPiece::around(double x, double y, double half_width) const {
   if (x + half_width < bounds_.min.x() || x - half_width > bounds_.max.x() ||
       y + half_width < bounds_.min.y() || y - half_width > bounds_.max.y())
     return {};
-  const ColumnSpan span = grownSpan(x, y, std::sqrt(2.0) * half_width + shift_ + kCullSlackMm);
+  const ColumnSpan span = grownSpan(x, y, 0.0, std::sqrt(2.0) * half_width + shift_ + kCullSlackMm);
   if (!(span.lo <= span.hi)) return {};
   return {span.lo - kCullSlackMm, span.hi + kCullSlackMm};
 }
