@@ -9,6 +9,8 @@ namespace posed_search_detail {
 
 /// What is shorter holds nothing, by t.
 constexpr double kNoWidth = 1e-13;
+/// Of rough bounds, mm.
+constexpr double kRoundingMm = 1e-7;
 /// Nothing is nearer to an axis or a centre than this, mm.
 constexpr double kLeastRadius = 1e-12;
 /// Newton's method stops where it promises to gain this share of the tolerance.
@@ -27,12 +29,17 @@ inline double fallsTo(double value, double slope, double k) {
 
 using namespace posed_search_detail;
 
-double PosedSearch::sphereBound(const PosedStretch& s) const {
-  const double middle = 0.5 * (profile_.zMin() + profile_.zMax()),
-               half = 0.5 * (profile_.zMax() - profile_.zMin());
-  const double radius = std::sqrt(half * half + profile_.maxRadius() * profile_.maxRadius());
-  const Vec3 at = s.middleTip() + middle * s.middleAxis();
-  return (p_ - at).norm() - radius - s.mostShift(std::abs(middle));
+double PosedSearch::roughBound(const PosedStretch& s) const {
+  // The part lies around a piece of its axis, of which a point moves the farther the higher it is. The place
+  // on it from which the distance less that way is least:
+  const Vec3 axis = s.middleAxis(), w = p_ - s.middleTip();
+  const double turn = s.axis[0], z = w.dot(axis), radius = profile_.maxRadius();
+  const double rho = std::sqrt(std::max(0.0, w.squaredNorm() - z * z));
+  const bool rises = turn < 0.9 && profile_.zMin() >= 0.0;
+  const double least = rises ? z + rho * turn / std::sqrt(1.0 - turn * turn) : z;
+  const double up = std::clamp(least, profile_.zMin(), profile_.zMax());
+  const double reach = rises ? up : std::max(std::abs(profile_.zMin()), std::abs(profile_.zMax()));
+  return std::sqrt(rho * rho + (z - up) * (z - up)) - radius - s.mostShift(reach + radius) - kRoundingMm;
 }
 
 void PosedSearch::look(const PosedStretch& stretch, std::size_t number, double start) {

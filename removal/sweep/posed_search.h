@@ -37,7 +37,7 @@ class PosedSearch {
   /// Looks at a stretch from `start` on; all of it is settled then.
   void look(const PosedStretch& stretch, std::size_t number, double start);
   /// No value of the part on this stretch is lower; cheap.
-  double sphereBound(const PosedStretch& stretch) const;
+  double roughBound(const PosedStretch& stretch) const;
   bool isOver() const { return best_.value < goal_.enough; }
   /// Below it nothing is looked for.
   double wanted() const { return std::min(goal_.cutoff, best_.value - goal_.tolerance); }

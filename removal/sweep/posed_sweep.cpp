@@ -34,8 +34,15 @@ Box3 stretchBounds(const ConvexProfile& profile, const PosedStretch& stretch) {
   const Box3 part = leaningBounds(profile, ToolFrame(stretch.middleAxis()));
   const double reach =
       std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-  const Vec3 tip = stretch.middleTip();
-  return Box3{tip + part.min, tip + part.max}.inflated(stretch.mostShift(reach) + kTrackMm);
+  const Vec3 tip = stretch.middleTip(), axis = stretch.middleAxis();
+  const Box3 moved = Box3{tip + part.min, tip + part.max}.inflated(stretch.mostShift(reach) + kTrackMm);
+  // Balls around both ends of the part's axis, too, hold all of it between them.
+  Box3 balls;
+  for (const double z : {profile.zMin(), profile.zMax()}) {
+    const Vec3 end = tip + z * axis;
+    balls.extend(Box3{end, end}.inflated(profile.maxRadius() + stretch.mostShift(std::abs(z)) + kTrackMm));
+  }
+  return {moved.min.cwiseMax(balls.min), moved.max.cwiseMin(balls.max)};
 }
 
 PosedSweep::PosedSweep(const ConvexProfile& profile, const MotionWay& way)
@@ -57,7 +64,7 @@ PosedPlace PosedSweep::nearest(const Vec3& p, const PosedSearch::Goal& goal, std
     begin = start->stretch, begin_t = start->t;
   } else {
     for (std::size_t i = first; i < last; ++i) {
-      const double bound = search.sphereBound(all[i]);
+      const double bound = search.roughBound(all[i]);
       if (bound < least) least = bound, begin = i;
     }
     if (least > goal.cutoff) return {begin, 0.0, least};
@@ -68,7 +75,7 @@ PosedPlace PosedSweep::nearest(const Vec3& p, const PosedSearch::Goal& goal, std
     for (const bool up : {true, false}) {
       if (up ? step >= last - begin : step > begin - first) continue;
       const std::size_t i = up ? begin + step : begin - step;
-      if (search.isOver() || search.sphereBound(all[i]) >= search.wanted()) continue;
+      if (search.isOver() || search.roughBound(all[i]) >= search.wanted()) continue;
       search.look(all[i], i, up ? -1.0 : 1.0);
     }
   }

@@ -38,12 +38,7 @@ PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t stretch)
     : sweep_(&sweep),
       number_(stretch),
       id_(nextId()),
-      bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {
-  const ConvexProfile& profile = sweep.profile();
-  const double reach =
-      std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-  shift_ = sweep.stretches()[stretch].mostShift(reach) + kTrackMm;
-}
+      bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {}
 
 ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   const PosedStretch::Pose pose = stretch().poseAt(t);
@@ -54,14 +49,29 @@ ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   return {meeting.span().lo + pose.tip.z(), meeting.span().hi + pose.tip.z()};
 }
 
-/// Heights between which the part, so much wider and longer at a pose, is over the line.
-ColumnSpan PosedPiece::grownSpan(double x, double y, double t, double grown) const {
+/// Heights between which anything of the part may be over the line, `slack` mm wider, in a share of the stretch
+/// about a pose. What is higher on the tool moves farther, so that all of it lies in a cone.
+ColumnSpan PosedPiece::spanAround(double x, double y, double t, double share, double slack) const {
+  const ConvexProfile& part = sweep_->profile();
+  const double r = part.maxRadius(), low = part.zMin(), high = part.zMax();
+  const double turn = std::min(0.9, share * stretch().axis[0]);
+  const double base = share * stretch().tip[0] + turn * r + slack + kTrackMm;  // a point at the tip
+  const double slope = turn / (1.0 - turn);
+  ConvexProfile around;
+  if (low >= 0.0) {
+    const double first = low - base - turn * low, last = high + base + turn * high;
+    const double narrow = r + base + slope * std::max(0.0, first + base), wide = r + base + slope * (last + base);
+    around.start(0.0, first), around.lineTo(narrow, first), around.lineTo(wide, last), around.lineTo(0.0, last);
+  } else {
+    const double grown = base + turn * std::max(-low, std::abs(high));
+    around.start(0.0, low - grown), around.lineTo(r + grown, low - grown);
+    around.lineTo(r + grown, high + grown), around.lineTo(0.0, high + grown);
+  }
   const PosedStretch::Pose pose = stretch().poseAt(t);
   const ToolFrame frame(pose.axis);
   LineMeeting meeting({frame.toTool(Vec3(x, y, pose.tip.z()) - pose.tip), frame.toTool(Vec3::UnitZ())},
                       Vec3::Zero());
-  const ConvexProfile& profile = sweep_->profile();
-  meeting.meetCylinder(profile.maxRadius() + grown, profile.zMin() - grown, profile.zMax() + grown);
+  meeting.meet(around);
   if (!(meeting.span().lo < meeting.span().hi)) return {};
   return {std::max(meeting.span().lo + pose.tip.z(), bounds_.min.z()),
           std::min(meeting.span().hi + pose.tip.z(), bounds_.max.z())};
@@ -72,7 +82,7 @@ ColumnSpan PosedPiece::searched(double x, double y) const {
   ColumnSpan all;
   for (int k = 0; k < kWayParts; ++k) {
     // Bounds of how far points go hold for any part of the stretch alike.
-    const ColumnSpan part = grownSpan(x, y, (2.0 * k + 1.0) / kWayParts - 1.0, shift_ / kWayParts);
+    const ColumnSpan part = spanAround(x, y, (2.0 * k + 1.0) / kWayParts - 1.0, 1.0 / kWayParts, 0.0);
     all.lo = std::min(all.lo, part.lo), all.hi = std::max(all.hi, part.hi);
   }
   return all;
@@ -150,7 +160,7 @@ ColumnSpan PosedPiece::around(double x, double y, double half_width) const {
   if (x + half_width < bounds_.min.x() || x - half_width > bounds_.max.x() ||
       y + half_width < bounds_.min.y() || y - half_width > bounds_.max.y())
     return {};
-  const ColumnSpan span = grownSpan(x, y, 0.0, std::sqrt(2.0) * half_width + shift_ + kCullSlackMm);
+  const ColumnSpan span = spanAround(x, y, 0.0, 1.0, std::sqrt(2.0) * half_width + kCullSlackMm);
   if (!(span.lo <= span.hi)) return {};
   return {span.lo - kCullSlackMm, span.hi + kCullSlackMm};
 }

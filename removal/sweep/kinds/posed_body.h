@@ -38,7 +38,7 @@ class PosedPiece {
   const Column& columnOf(double x, double y) const;
   Column findColumn(double x, double y) const;
   ColumnSpan spanAt(double x, double y, double t) const;
-  ColumnSpan grownSpan(double x, double y, double t, double grown) const;
+  ColumnSpan spanAround(double x, double y, double t, double share, double slack) const;
   ColumnSpan searched(double x, double y) const;
   PosedPlace nearest(const Vec3& p, double enough, const PosedPlace& start) const;
   double climb(double x, double y, double z, double direction, PosedPlace at) const;
@@ -46,7 +46,6 @@ class PosedPiece {
   const PosedSweep* sweep_;
   std::size_t number_;
   std::uint64_t id_;  ///< of no other piece of this process
-  double shift_;  ///< no point of the part is farther from where it is in the middle of the stretch
   Box3 bounds_;
 };
 
