@@ -141,7 +141,7 @@ class LeaningBodies : public ::testing::TestWithParam<std::size_t> {
     m.tool = 1;
     m.spindle = 1000.0;
     m.axis = 0;
-    path.axes.push_back({c.axis, c.axis, 0, {}});
+    path.axes.push_back({c.axis, c.axis, 0, {}, PoseLaw::kVector, nullptr});
     if (c.curved) {
       m.arc = 0;
       path.arcs.push_back({c.center, c.normal, c.sweep});
@@ -271,7 +271,7 @@ class LeaningCuts : public ::testing::Test {
     m.kind = MotionKind::kFeed;
     m.source.line = static_cast<std::uint32_t>(path_.motions.size() + 1);
     m.axis = static_cast<std::int32_t>(path_.axes.size());
-    path_.axes.push_back({axis, axis, 0, {}});
+    path_.axes.push_back({axis, axis, 0, {}, PoseLaw::kVector, nullptr});
     path_.motions.push_back(m);
     path_.files = {"test"};
     return path_.motions.back();
