@@ -13,6 +13,8 @@ constexpr double kNoWidth = 1e-13;
 constexpr double kRoundingMm = 1e-7;
 /// Nothing is nearer to an axis or a centre than this, mm.
 constexpr double kLeastRadius = 1e-12;
+/// Newton's method takes what is rounder for this, mm: near an edge it would creep.
+constexpr double kLeastStepRadius = 1e-3;
 /// Newton's method stops where it promises to gain this share of the tolerance.
 constexpr double kGain = 0.05;
 
@@ -84,14 +86,14 @@ PosedSearch::Pose PosedSearch::pose(double t) {
   plain.widest = 2.0, plain.speed = speed_;
   plain.round[0] = {out * across2, 3.0 * out * std::sqrt(across2) * bend_, rho};
   plain.round[1] = {0.0, 0.0, 1.0};
-  pose.bend = plain.k + out * across2 / rho;
+  pose.bend = plain.k + out * across2 / std::max(rho, kLeastStepRadius);
   if (s.radius > 0.0) {
     const double beside = s.gr * z1 - s.gz * rho1;
-    pose.bend += beside * beside / s.radius;
+    pose.bend += beside * beside / std::max(s.radius, kLeastStepRadius);
     addRound(s, rho, z, rho1, z1, m, pose);
   }
-  // At a sharp edge itself the profile's gradient may be that of no face.
-  if (s.value == 0.0 && s.gz == 1.0) pose.count = 0;
+  // On a sharp edge itself the profile's gradient is that of a level top.
+  if (s.value == 0.0 && s.gz == 1.0 && z < profile_.zMax()) pose.count = 0;
   if (pose.value < best_.value) best_ = {number_, t, pose.value};
   return pose;
 }

@@ -14,7 +14,9 @@ namespace posed_body_detail {
 constexpr double kHeldMm = 2e-9;
 /// Climbing ends where a step gains less, mm.
 constexpr double kStillMm = 1e-11;
-constexpr int kMostClimbs = 200;
+/// Through a thin edge that goes along the column each step gains no more than the edge is thick. The deepest
+/// pose is asked for every so many steps, else any that is deeper.
+constexpr int kMostClimbs = 20000, kQuickClimbs = 12;
 /// What is between two intervals, or an interval, that is shorter than this is not looked for, mm: it is no
 /// thicker than that anywhere on the column.
 constexpr double kLeastStepMm = 2e-5;
@@ -96,12 +98,17 @@ PosedPlace PosedPiece::nearest(const Vec3& p, double enough, const PosedPlace& s
 /// From a point that the pose `at` holds to the end of what is covered without a gap; direction: +1 up, -1
 /// down.
 double PosedPiece::climb(double x, double y, double z, double direction, PosedPlace at) const {
+  const double any = -std::numeric_limits<double>::infinity();
+  bool proven = false;  // that no pose holds the point deeper than `at`
   for (int round = 0; round < kMostClimbs; ++round) {
     const ColumnSpan span = spanAt(x, y, at.t);
     const double next = direction > 0.0 ? span.hi : span.lo;
-    if (!(direction * (next - z) > kStillMm) && round > 0) break;
-    if (direction * (next - z) > 0.0 && std::isfinite(next)) z = next;
-    at = nearest({x, y, z}, -kHeldMm, at);
+    const bool gains = direction * (next - z) > kStillMm && std::isfinite(next);
+    if (gains) z = next;
+    if (!gains && proven) break;
+    // A pose whose own end this is holds it within rounding: then the deepest one is asked for.
+    proven = (!gains && round > 0) || round % kQuickClimbs == kQuickClimbs - 1;
+    at = nearest({x, y, z}, proven ? any : -kHeldMm, at);
     if (at.value >= -kHeldMm) break;
   }
   return z;
