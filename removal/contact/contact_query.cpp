@@ -192,7 +192,7 @@ void ContactSearch::findSweep(std::size_t i, const Triangle& t, Face& face) {
   const std::uint32_t motion = query_.surface_.mesh.motion[i];
   const Motion& m = query_.path_.motions[motion];
   const auto solid = query_.solids_.find(m.tool);
-  if (solid == query_.solids_.end() || wayOf(query_.path_, m).turns()) return;
+  if (solid == query_.solids_.end()) return;
   const std::vector<ConvexProfile>& parts = solid->second.cutter;
   double least = kCornerOff * query_.h_;
   for (std::size_t k = 0; k < parts.size(); ++k) {

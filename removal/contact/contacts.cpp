@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
+#include "core/path/posed_way.h"
 #include "removal/contact/contact_depth.h"
+#include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 namespace {
@@ -121,8 +124,41 @@ bool isPointed(const ConvexProfile& profile, double h) {
   return lowest.arc || lowest.dz != 0.0 || lowest.br < h;
 }
 
-/// The lowest end of the part, seen from the tool's control point.
-Vec3 tipOf(const Pass& pass) { return pass.body.profile().zMin() * pass.body.axis(); }
+/// The way of the lowest end of a part.
+class EndWay {
+ public:
+  EndWay(const Toolpath& path, const Pass& pass)
+      : path_(path), motion_(path.motions[pass.motion]), up_(pass.body.profile().zMin()) {
+    if (wayOf(path, motion_).turns()) {
+      posed_.emplace(posedWayOf(path, motion_));
+      const PosedWay::Bounds bounds = posed_->boundsOn(0.0, 1.0);
+      length_ = bounds.tip.velocity + std::abs(up_) * bounds.axis.velocity;
+    } else {
+      end_ = up_ * pass.body.axis();
+      length_ = path.length(motion_);
+    }
+  }
+
+  Vec3 at(double share) const {
+    if (!posed_) return path_.pointAt(motion_, share) + end_;
+    const ToolPose pose = posed_->at(share);
+    return pose.tip + up_ * pose.axis;
+  }
+  /// No share of the motion is longer than that of this, mm.
+  double length() const { return length_; }
+  Box3 bounds() const {
+    const Box3 tip = path_.bounds(motion_);
+    return posed_ ? tip.inflated(std::abs(up_)) : Box3{tip.min + end_, tip.max + end_};
+  }
+
+ private:
+  const Toolpath& path_;
+  const Motion& motion_;
+  double up_;                 ///< from the control point along the axis, mm
+  Vec3 end_ = Vec3::Zero();   ///< the same where the axis stands still
+  double length_ = 0.0;
+  std::optional<PosedWay> posed_;
+};
 
 /// Follows the tips of pointed cutters on their watched motions: what they meet between the samples.
 class TipTracer {
@@ -151,19 +187,15 @@ std::vector<std::uint32_t> TipTracer::passes() const {
     const Motion& motion = motions[pass.motion];
     // A spindle that the program never starts is told once, from the samples.
     if (motion.kind != MotionKind::kRapid && !scene_.fixture && !spindle_used) continue;
-    Box3 way = scene_.path.bounds(motion);
-    const Vec3 tip = tipOf(pass);
-    way.min += tip;
-    way.max += tip;
-    if (way.overlaps(reach_)) numbers.push_back(i);
+    if (EndWay(scene_.path, pass).bounds().overlaps(reach_)) numbers.push_back(i);
   }
   return numbers;
 }
 
 void TipTracer::follow(std::uint32_t number, std::vector<ContactSample>& samples) const {
   const Pass& pass = scene_.record.table.passes[number];
-  const Motion& motion = scene_.path.motions[pass.motion];
-  const double length = scene_.path.length(motion);
+  const EndWay end(scene_.path, pass);
+  const double length = end.length();
   const SweptCutter* hint = nullptr;
   ContactSample deepest{number, 0.0, Vec3::Zero(), 0};
   const auto leave = [&] {
@@ -171,7 +203,7 @@ void TipTracer::follow(std::uint32_t number, std::vector<ContactSample>& samples
     deepest.depth = 0.0;
   };
   for (double way = 0.0;; way = std::min(way, length)) {
-    const Vec3 tip = scene_.path.pointAt(motion, length > 0.0 ? way / length : 0.0) + tipOf(pass);
+    const Vec3 tip = end.at(length > 0.0 ? way / length : 0.0);
     const double depth = scene_.depth.at(tip, pass.motion, hint).value;
     if (depth > deepest.depth) {
       deepest.depth = depth;

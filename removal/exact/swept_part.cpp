@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/geometry/box_tree.h"
+#include "core/path/posed_way.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
 #include "removal/grid/shape_field.h"
@@ -82,10 +83,11 @@ class CutBodies {
   void add(MotionId id) {
     const Motion& m = path_.motions[id];
     const auto solid = solids_.find(m.tool);
-    // Where the axis turns the tool touches nothing, or there was no removal.
-    if (m.kind == MotionKind::kProbe || solid == solids_.end() || wayOf(path_, m).turns()) return;
+    if (m.kind == MotionKind::kProbe || solid == solids_.end()) return;
     for (const ConvexProfile& profile : solid->second.cutter) {
-      if (m.arc < 0) {
+      if (wayOf(path_, m).turns()) {
+        addPosed(id, profile);
+      } else if (m.arc < 0) {
         addLine(id, profile);
       } else {
         addArc(id, profile, path_.arcs[static_cast<std::size_t>(m.arc)]);
@@ -128,6 +130,25 @@ class CutBodies {
         curves_.push_back(motionField(profile, {part, circle ? &arc : &piece, way.axis}));
       }
       addBox(m, profile, from, to, slack);
+    }
+  }
+
+  /// A motion that turns the axis, in boxes of stretches of its way.
+  void addPosed(MotionId id, const ConvexProfile& profile) {
+    const Motion& m = path_.motions[id];
+    const MotionWay way = wayOf(path_, m);
+    const PosedWay posed = posedWayOf(path_, m);
+    bodies_.push_back({id, &profile, static_cast<std::int32_t>(curves_.size())});
+    curves_.push_back(motionField(profile, way));
+    const PosedWay::Bounds bounds = posed.boundsOn(0.0, 1.0);
+    const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
+    const int count = static_cast<int>(
+        std::clamp(std::ceil(std::max(bounds.axis.velocity / kBoxTurn, bounds.tip.velocity / unit)), 1.0,
+                   static_cast<double>(kMostBoxes)));
+    for (int i = 0; i < count; ++i) {
+      const Box3 tip = posed.tipBounds(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+      boxes_.push_back(partBounds(profile, way, tip, 0.0));
+      body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
     }
   }
 

@@ -66,7 +66,6 @@ class Remover {
   RemovalSummary summary() const;
 
  private:
-  Error turningError(MotionId id) const;
   void addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part);
   bool needsEnvelope(const Motion& m, const ToolParts::Part& part) const;
   void addEnvelope(MotionId id, ToolParts::Part& part);
@@ -175,7 +174,8 @@ bool Remover::needsEnvelope(const Motion& m, const ToolParts::Part& part) const 
 }
 
 void Remover::addEnvelope(MotionId id, ToolParts::Part& part) {
-  const bool leans = wayOf(path_, path_.motions[id]).leans();
+  const MotionWay way = wayOf(path_, path_.motions[id]);
+  const bool leans = way.leans() || way.turns();
   std::unique_ptr<ToolParts::Envelope>& envelope = leans ? part.lean_envelope : part.envelope;
   if (envelope == nullptr) {
     // What is level in the grid may be anything in a tool that leans.
@@ -217,13 +217,6 @@ bool inOrder(const PassTable& table) {
   return table.first.back() == table.passes.size();
 }
 
-Error Remover::turningError(MotionId id) const {
-  const Motion& m = path_.motions[id];
-  const std::string file = m.source.file < path_.files.size() ? path_.files[m.source.file] : "";
-  return inputError(
-      fmt::format("{}:{}: the tool's axis turns in this motion, which cannot be cut", file, m.source.line));
-}
-
 Status Remover::preparePasses() {
   table_.passes.reserve(path_.motions.size());
   table_.first.reserve(path_.motions.size() + 1);
@@ -242,8 +235,7 @@ Status Remover::preparePasses() {
           m.source.line, m.tool, m.tool));
     }
     const MotionWay way = wayOf(path_, m);
-    if (way.turns()) {
-      if (!turns_in_air_) return turningError(id);
+    if (turns_in_air_ && way.turns()) {
       track_.add(way);
       continue;
     }

@@ -9,11 +9,12 @@
 #include "removal/sweep/kinds/lean_line_body.h"
 #include "removal/sweep/kinds/level_arc_body.h"
 #include "removal/sweep/kinds/line_body.h"
+#include "removal/sweep/kinds/posed_body.h"
 
 namespace proveout {
 
 /// A kind of body with its way.
 using BodyKind = std::variant<LineBody, ChordBody, LevelArcBody, TurnBody, UprightBody, WayBody, LeanLineBody,
-                              LeanChordBody, LeanArcBody>;
+                              LeanChordBody, LeanArcBody, PosedBody>;
 
 }  // namespace proveout

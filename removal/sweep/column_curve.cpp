@@ -45,7 +45,7 @@ constexpr int kMostStretches = 48;
 
 /// Where a sum stops to fall on a piece, and from where on it falls again.
 struct Roots {
-  double rises = kNothing, again = kNothing;
+  double rises = kNoHeight, again = kNoHeight;
 };
 
 /// Height on one side of u = 0, v = |u|.
@@ -203,10 +203,10 @@ class Least {
     const double k = std::sqrt(k2_);
     if (piece_->kind == PieceKind::kArc) {
       const double across = root(piece_->radius * piece_->radius - p2_);
-      return steep < kNothing ? steep * across / (k * std::sqrt(k2_ + steep * steep)) : across / k;
+      return steep < kNoHeight ? steep * across / (k * std::sqrt(k2_ + steep * steep)) : across / k;
     }
     const double most = piece_->slope * k, left = (most - steep) * (most + steep);
-    return most > steep ? steep / k * std::sqrt(p2_ / left) : kNothing;
+    return most > steep ? steep / k * std::sqrt(p2_ / left) : kNoHeight;
   }
 
   /// Narrows the stretch to what may hold the least value; true if that is one place, `from`.
@@ -244,7 +244,7 @@ class Least {
                  sb = b.foot_slope + (bent_down ? chord : b.height_slope);
     double low = ends;
     if (sa < 0.0 && sb > 0.0) {
-      const double t = sb < kNothing ? (b.value() - a.value() - sb * width) / (sa - sb) : width;
+      const double t = sb < kNoHeight ? (b.value() - a.value() - sb * width) / (sa - sb) : width;
       low = a.value() + sa * std::clamp(t, 0.0, width);
     }
     if (low >= best_.value - kSettledMm) return true;
@@ -264,7 +264,7 @@ class Least {
   Place newton(const Place& a, const Place& b) const {
     double low = a.v, high = b.v;
     double t =
-        b.slope() < kNothing ? low - a.slope() * (high - low) / (b.slope() - a.slope()) : 0.5 * (low + high);
+        b.slope() < kNoHeight ? low - a.slope() * (high - low) / (b.slope() - a.slope()) : 0.5 * (low + high);
     for (int round = 0; round < kMostRounds; ++round) {
       if (!(t > low && t < high)) t = 0.5 * (low + high);
       const double slope = place(t).slope();
@@ -363,7 +363,7 @@ struct Square {
 
 /// What can be over a square: range of the tip's height, and the level distance from its middle.
 struct Over {
-  double low = kNothing, high = -kNothing, gap = kNothing;
+  double low = kNoHeight, high = -kNoHeight, gap = kNoHeight;
 };
 
 Over over(const TurnSweep& s, const Square& square, double reach) {
@@ -478,8 +478,8 @@ CurveSide sideOf(const Way& sweep, const double (&point)[3], double dx, double d
 template <typename Way>
 void endsOf(const Way& sweep, double x, double y, double* lo, double* hi) {
   const Interval in = column(sweep, x, y, {});
-  *lo = in.over ? in.lo : kNothing;
-  *hi = in.over ? in.hi : -kNothing;
+  *lo = in.over ? in.lo : kNoHeight;
+  *hi = in.over ? in.hi : -kNoHeight;
 }
 
 template <typename Way>
@@ -489,8 +489,8 @@ void reachOf(const Way& sweep, const FourBlocks& blocks, double* low, double* hi
   for (int i = 0; i < 4; ++i) {
     const Square square{blocks.x[i], blocks.y[i], corner};
     const Over at = over(sweep, square, reach);
-    low[i] = kNothing;
-    high[i] = -kNothing;
+    low[i] = kNoHeight;
+    high[i] = -kNoHeight;
     if (at.low > at.high) continue;
     const double radial = std::clamp(at.gap - corner, 0.0, tool.radius);
     const double lowest = at.low + tool.lower.height(radial) - kCullSlackMm;

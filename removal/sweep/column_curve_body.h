@@ -114,7 +114,7 @@ inline void straightRoots(double rise, int n, TurnColumns& c, TurnSide& side) {
     const double inner = most_q * most_q - 4.0 * first_q * last_q;
     const bool any = most_q > 0.0 && inner >= 0.0;
     const double sum = most_q + root(inner);
-    rises2[i] = any ? 2.0 * last_q / sum : kNothing;
+    rises2[i] = any ? 2.0 * last_q / sum : kNoHeight;
     again[i] = any && sum < 2.0 * first_q * side.b2[i] ? 1.0 : 0.0;
   }
   takeRoots(n, rises2, again, c, side);
@@ -128,7 +128,7 @@ inline void sphereRoots(double radius, int n, TurnColumns& c, TurnSide& side) {
     const double most_q = k2 + steep2, w2 = radius * radius - c.p2[i], last_q = steep2 * w2 * c.per_k2[i];
     const double inner = most_q * most_q - 4.0 * k2 * last_q;
     const double sum = most_q + root(inner);
-    rises2[i] = inner >= 0.0 ? 2.0 * last_q / sum : kNothing;
+    rises2[i] = inner >= 0.0 ? 2.0 * last_q / sum : kNoHeight;
     again[i] = inner >= 0.0 && sum < 2.0 * k2 * side.b2[i] ? 1.0 : 0.0;
   }
   takeRoots(n, rises2, again, c, side);
@@ -183,7 +183,7 @@ inline void cornerRoots(const ColumnBoundary::Piece& piece, int n, TurnColumns& 
         radius2 / (q_a * q_a * q_a) * step_a * step_a + d_a / q_a * k2 * p2 / (r_b * r_b * r_b);
     const bool convex = grows >= steep * b / (w_b * w_b * w_b);
     const bool within = falls_a < 0.0 && falls_b > 0.0;
-    low[i] = falls_a < 0.0 ? (within ? a : kNothing) : a;
+    low[i] = falls_a < 0.0 ? (within ? a : kNoHeight) : a;
     high[i] = within ? b : low[i];
     open[i] = convex && within && a < b && side.falls[i] > 0.0 ? 1.0 : 0.0;
     again[i] = convex ? 0.0 : 1.0;
@@ -296,8 +296,8 @@ inline void turnColumns(const TurnSweep& sweep, const double* __restrict x, cons
   }
   for (int i = 0; i < n; ++i) {
     const bool over = c.over[i] > 0.0;
-    lo[i] = over ? c.base[i] + lo[i] : kNothing;
-    hi[i] = over ? c.base[i] - hi[i] : -kNothing;
+    lo[i] = over ? c.base[i] + lo[i] : kNoHeight;
+    hi[i] = over ? c.base[i] - hi[i] : -kNoHeight;
   }
   for (int i = 0; i < n; ++i) {
     if (c.over[i] > 0.0 && c.alone[i] > 0.0) proveout::curveColumn(sweep, x[i], y[i], lo + i, hi + i);
@@ -369,7 +369,7 @@ inline void uprightColumns(const UprightSweep& sweep, const double* __restrict x
   const double middle = sweep.start_z;
   for (int i = 0; i < n; ++i) {
     const bool over = c.over[i] > 0.0;
-    lo[i] = over ? middle + lo[i] : kNothing;
-    hi[i] = over ? middle - hi[i] : -kNothing;
+    lo[i] = over ? middle + lo[i] : kNoHeight;
+    hi[i] = over ? middle - hi[i] : -kNoHeight;
   }
 }

@@ -9,7 +9,7 @@
 
 namespace proveout {
 
-inline constexpr double kNothing = std::numeric_limits<double>::infinity();
+inline constexpr double kNoHeight = std::numeric_limits<double>::infinity();
 
 inline double root(double a) { return std::sqrt(std::max(a, 0.0)); }
 
@@ -34,13 +34,13 @@ inline double boundaryBend(const ColumnBoundary::Piece& piece, double r) {
 
 /// A least value and the place that has it.
 struct Lowest {
-  double value = kNothing, u = 0.0;
+  double value = kNoHeight, u = 0.0;
 };
 
 struct Interval {
   bool over = false;         ///< the tool is over the column somewhere
-  double beyond = kNothing;  ///< least level distance of the tool's axis less the radius, mm
-  double lo = kNothing, hi = -kNothing;
+  double beyond = kNoHeight;  ///< least level distance of the tool's axis less the radius, mm
+  double lo = kNoHeight, hi = -kNoHeight;
   double middle = 0.0;  ///< turn: angle of the way at u = 0; upright: place of the column, mm; else 0
   double u = 0.0, at_lo = 0.0, at_hi = 0.0;  ///< of the place that is nearest, and of those of lo and hi
 };
@@ -70,7 +70,7 @@ void findEnds(const ColumnSolid& solid, const Asked& asked, double base, double 
   in.lo = tip + solid.lower.height(r);
   in.hi = tip - solid.upper.height(r);
   // Nothing less can be the answer.
-  double known = asked.all ? -kNothing : in.beyond;
+  double known = asked.all ? -kNoHeight : in.beyond;
   const auto low = [&] {
     if (in.lo - z <= known) return;
     const Lowest found = find_low();

@@ -17,7 +17,7 @@ using proveout::UprightSweep;
 using proveout::WaySweep;
 
 constexpr int kArray = proveout::kMaxColumns;
-constexpr double kNothing = __builtin_inf();
+constexpr double kNoHeight = __builtin_inf();
 /// Newton's method for a stationary point halves its bracket where it would leave it, and every third time
 /// behind so many rounds. Of 1.6 million random columns none took more than 10 rounds on slopes up to 3, nor
 /// more than 27 on steeper ones. It stops behind a step this small, mm: the error of what follows is its
@@ -105,7 +105,7 @@ inline void leastOnLine(const ColumnBoundary& boundary, double slope, const doub
                         int n, double* __restrict out) {
   const double steep = slope < 0.0 ? -slope : slope, side = slope > 0.0 ? -1.0 : 1.0;
   double best[kArray], at[kArray], sa[kArray], sb[kArray], s[kArray], r[kArray], z[kArray];
-  for (int i = 0; i < n; ++i) best[i] = kNothing, at[i] = 0.0;
+  for (int i = 0; i < n; ++i) best[i] = kNoHeight, at[i] = 0.0;
   for (int p = 0; p < boundary.count; ++p) {
     const ColumnBoundary::Piece& piece = boundary.piece[p];
     const double ra2 = piece.ra * piece.ra, rb2 = piece.rb * piece.rb;
@@ -151,8 +151,8 @@ inline void levelFlatColumns(const LineSweep& sweep, const double* __restrict x,
     const double across = qx * uy - qy * ux;
     const double beyond = along - least(most(along, 0.0), length);
     const bool over = across * across + beyond * beyond < radius2;
-    lo[i] = over ? low : kNothing;
-    hi[i] = over ? high : -kNothing;
+    lo[i] = over ? low : kNoHeight;
+    hi[i] = over ? high : -kNoHeight;
   }
 }
 
@@ -177,8 +177,8 @@ inline void plainColumns(const LineSweep& sweep, const double* __restrict x, con
                              : fz + slope * ((rises ? a0 : a1) + along) + z_min;
     const double high = fz + slope * ((rises ? a1 : a0) + along) + z_max;
     const bool over = w2 > 0.0 && a0 <= a1;
-    lo[i] = over ? low : kNothing;
-    hi[i] = over ? high : -kNothing;
+    lo[i] = over ? low : kNoHeight;
+    hi[i] = over ? high : -kNoHeight;
   }
 }
 
@@ -220,8 +220,8 @@ inline void lineColumns(const LineSweep& sweep, const double* __restrict x, cons
   }
   for (int i = 0; i < n; ++i) {
     const bool over = w2[i] > 0.0 && a0[i] <= a1[i];
-    lo[i] = over ? lo[i] : kNothing;
-    hi[i] = over ? hi[i] : -kNothing;
+    lo[i] = over ? lo[i] : kNoHeight;
+    hi[i] = over ? hi[i] : -kNoHeight;
   }
 }
 
@@ -282,8 +282,8 @@ inline void radialColumns(const Way& sweep, const double* __restrict x, const do
   const double low = sweep.z + least(riseOf(sweep), 0.0), high = sweep.z + most(riseOf(sweep), 0.0);
   for (int i = 0; i < n; ++i) {
     const bool over = r[i] < radius;
-    lo[i] = over ? low + lo[i] : kNothing;
-    hi[i] = over ? high - hi[i] : -kNothing;
+    lo[i] = over ? low + lo[i] : kNoHeight;
+    hi[i] = over ? high - hi[i] : -kNoHeight;
   }
 }
 
@@ -409,7 +409,7 @@ unsigned leafHits(const LineSweep& sweep, const proveout::LeafColumns& leaf, uns
       const double s = least(most(toward * up, -along), beyond), rise = up + slope * s;
       const double level = least(most(0.0, -along), beyond);
       const double near = rise > 0.0 ? s * s + rise * rise : level * level;
-      gap2[i] = top[i] > bottom ? near + across * across : kNothing;
+      gap2[i] = top[i] > bottom ? near + across * across : kNoHeight;
     }
     double nearest[8];
     for (int i = 0; i < 8; ++i) nearest[i] = least(gap2[i], gap2[i + 8]);
@@ -466,7 +466,7 @@ void reachFour(const Way& sweep, const proveout::FourBlocks& blocks, double* __r
   const double corner = kDiagonal * blocks.half_width, radius = tool.radius, reach = corner + radius + kSlack;
   double gap2[4], rise_low[4], rise_high[4], radial[4], edge[4], top[4];
   approach(sweep, blocks, reach, gap2, rise_low, rise_high);
-  for (int i = 0; i < 4; ++i) low[i] = kNothing, high[i] = -kNothing, top[i] = -tool.z_max;
+  for (int i = 0; i < 4; ++i) low[i] = kNoHeight, high[i] = -kNoHeight, top[i] = -tool.z_max;
   if (least(least(gap2[0], gap2[1]), least(gap2[2], gap2[3])) > reach * reach) return;
   if (tool.flat) {
     for (int i = 0; i < 4; ++i) edge[i] = tool.z_min;
@@ -483,8 +483,8 @@ void reachFour(const Way& sweep, const proveout::FourBlocks& blocks, double* __r
     const double at = sweep.z + rise_low[i], highest = sweep.z + rise_high[i] - top[i] + kSlack;
     const double lowest = at + edge[i] - kSlack;
     const bool in = gap2[i] <= reach * reach && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
-    low[i] = in ? lowest : kNothing;
-    high[i] = in ? highest : -kNothing;
+    low[i] = in ? lowest : kNoHeight;
+    high[i] = in ? highest : -kNoHeight;
   }
 }
 

@@ -61,7 +61,7 @@ Vec2 bendsOf(const CurveWay::Node& n) {
 
 /// Bounds of a part's bends, with what they may change between the places.
 void boundPart(const CurveWay& w, double first, double wide, WayPart& out) {
-  double curved = 0.0, sag = kNothing, step_curved = 0.0, step_sag = 0.0;
+  double curved = 0.0, sag = kNoHeight, step_curved = 0.0, step_sag = 0.0;
   Vec2 before;
   for (int i = 0; i < kLooks; ++i) {
     const CurveWay::Node n = w.node(first + wide * i / (kLooks - 1));
@@ -99,7 +99,7 @@ WayPart plainPart(const CurveWay& w, int part) {
   out.radius = w.radius + w.growth * (first + 0.5 * wide);
   out.growth = w.growth;
   out.half = 0.5 * wide;
-  out.least_bend = kNothing, out.most_bend = -kNothing;
+  out.least_bend = kNoHeight, out.most_bend = -kNoHeight;
   for (int i = 0; i < 3; ++i) {
     const Vec3 at = node[i * kMiddle].at - middle.at, &velocity = node[i * kMiddle].velocity;
     out.end_x[i] = at.x(), out.end_y[i] = at.y();
@@ -164,7 +164,7 @@ std::vector<WaySweep> columnParts(const ColumnSolid& solid, const CurveWay& way)
   for (s.part = 0; s.part < way.parts(); ++s.part) {
     s.plain = &way.plain[static_cast<std::size_t>(s.part)];
     const CurveWay::Node* node = &way.nodes[static_cast<std::size_t>(s.part * CurveWay::kNodesAPart)];
-    double low = kNothing, high = -kNothing;
+    double low = kNoHeight, high = -kNoHeight;
     for (int i = 0; i <= CurveWay::kNodesAPart; ++i) {
       low = std::min(low, node[i].at.z());
       high = std::max(high, node[i].at.z());
@@ -187,8 +187,8 @@ void curveReach(const WaySweep& part, const FourBlocks& blocks, double* low, dou
   const double step2 = way.node_rad * way.node_rad / 8.0;
   const double sag = way.most_bend * step2, height_sag = way.height4 * step2;
   const double corner = std::sqrt(2.0) * blocks.half_width, reach = corner + tool.radius + sag + kCullSlackMm;
-  double lowest[4] = {kNothing, kNothing, kNothing, kNothing};
-  double highest[4] = {-kNothing, -kNothing, -kNothing, -kNothing};
+  double lowest[4] = {kNoHeight, kNoHeight, kNoHeight, kNoHeight};
+  double highest[4] = {-kNoHeight, -kNoHeight, -kNoHeight, -kNoHeight};
   for (int k = 0; k < CurveWay::kNodesAPart; ++k) {
     const Vec3 &a = node[k].at, &b = node[k + 1].at;
     const double wx = b.x() - a.x(), wy = b.y() - a.y(), length2 = std::max(wx * wx + wy * wy, 1e-300);
@@ -206,8 +206,8 @@ void curveReach(const WaySweep& part, const FourBlocks& blocks, double* low, dou
   }
   for (int i = 0; i < 4; ++i) {
     const bool in = lowest[i] < blocks.z_high[i] && highest[i] > blocks.z_low[i];
-    low[i] = in ? lowest[i] : kNothing;
-    high[i] = in ? highest[i] : -kNothing;
+    low[i] = in ? lowest[i] : kNoHeight;
+    high[i] = in ? highest[i] : -kNoHeight;
   }
 }
 

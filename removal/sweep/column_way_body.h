@@ -238,8 +238,8 @@ inline void wayColumns(const WaySweep& sweep, const double* __restrict x, const 
   }
   for (int i = 0; i < n; ++i) {
     const bool over = c.over[i] > 0.0;
-    lo[i] = over ? w.z + lo[i] : kNothing;
-    hi[i] = over ? w.z + tool.z_max - hi[i] : -kNothing;
+    lo[i] = over ? w.z + lo[i] : kNoHeight;
+    hi[i] = over ? w.z + tool.z_max - hi[i] : -kNoHeight;
   }
   for (int i = 0; i < n; ++i) {
     if (c.alone[i] > 0.0) proveout::curveColumn(sweep, x[i], y[i], lo + i, hi + i);

@@ -329,7 +329,7 @@ class WayLeast {
 
   /// The same by the distance itself: L'' d'^2 + L' d''.
   double bendByDistance(const Place& a, const Place& b, double least_e2) const {
-    if (a.d <= kRootMm) return -kNothing;
+    if (a.d <= kRootMm) return -kNoHeight;
     const double off = std::max(0.0, -least_e2) * (b.t - a.t);
     const double least_e1 = std::max(0.0, std::min(a.e1, b.e1) - off), most_e1 = std::max(a.e1, b.e1) + off;
     const double least_d1 = 0.5 * least_e1 / b.d, most_d1 = 0.5 * most_e1 / a.d;
@@ -354,11 +354,11 @@ class WayLeast {
   bool isSettled(const Place& a, const Place& b, const Bounds& least) const {
     if (a.foot + leastHeight(a, b) >= best_.value - kSettledMm) return true;
     const double wide = b.t - a.t, bend = std::max(0.0, -(least.foot2 + least.z2));
-    if (bend == kNothing) return false;
+    if (bend == kNoHeight) return false;
     const double fall = a.slope() - 0.5 * bend * wide, rise = b.slope() + 0.5 * bend * wide;
     double low = std::min(a.value(), b.value());
     if (fall < 0.0 && rise > 0.0) {
-      const double t = rise < kNothing ? (b.value() - a.value() - rise * wide) / (fall - rise) : wide;
+      const double t = rise < kNoHeight ? (b.value() - a.value() - rise * wide) / (fall - rise) : wide;
       low = a.value() + fall * std::clamp(t, 0.0, wide);
     }
     return low >= best_.value - kSettledMm;
@@ -367,7 +367,7 @@ class WayLeast {
   Place newton(const Place& a, const Place& b) const {
     const double wide = b.t - a.t;
     const double guess =
-        b.slope() < kNothing ? a.t - a.slope() * wide / (b.slope() - a.slope()) : a.t + 0.5 * wide;
+        b.slope() < kNoHeight ? a.t - a.slope() * wide / (b.slope() - a.slope()) : a.t + 0.5 * wide;
     return place(growingRoot(a.t, b.t, guess, kStepMm / column_.speed(), [&](double t) {
       const Place p = place(t);
       const double d2 = p.d > 0.0 ? (0.5 * p.e2 - p.d1 * p.d1) / p.d : 0.0;

@@ -25,7 +25,7 @@ constexpr double kLeastCurve = 1e-3;
 }  // namespace
 
 SweptField motionField(const ConvexProfile& profile, const MotionWay& way) {
-  PROVEOUT_ASSERT(!way.turns());
+  if (way.turns()) return SweptField(profile, way);
   const Motion& m = way.motion;
   if (way.leans()) return SweptField(profile, ToolFrame(way.direction()), m.from, m.to, way.arc);
   return SweptField(profile, m.from, m.to, way.arc);
@@ -33,6 +33,11 @@ SweptField motionField(const ConvexProfile& profile, const MotionWay& way) {
 
 Box3 partBounds(const ConvexProfile& profile, const MotionWay& way, const Box3& tip, double slack) {
   const double r = profile.maxRadius();
+  if (way.turns()) {
+    // In any direction.
+    const double reach = std::hypot(r, std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
+    return tip.inflated(reach + slack);
+  }
   const Box3 part = way.leans() ? leaningBounds(profile, ToolFrame(way.direction()))
                                 : Box3{Vec3(-r, -r, profile.zMin()), Vec3(r, r, profile.zMax())};
   return Box3{tip.min + part.min, tip.max + part.max}.inflated(slack);
@@ -42,7 +47,10 @@ const std::vector<MotionBody>& BodyMaker::make(MotionId id, const PartUse& part)
   PROVEOUT_ASSERT(id < path_.motions.size() && part.profile != nullptr && part.solid != nullptr);
   bodies_.clear();
   const Motion& m = path_.motions[id];
-  if (const MotionWay way = wayOf(path_, m); way.leans()) {
+  if (const MotionWay way = wayOf(path_, m); way.turns()) {
+    addPosed(way, part);
+    return bodies_;
+  } else if (way.leans()) {
     addLeaning(way, part);
     return bodies_;
   }
@@ -105,6 +113,17 @@ void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const
     const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to);
     from = to;
     bodies_.push_back({SweptBody(*part.profile, LeanChordBody(line), &curve)});
+  }
+}
+
+/// Stretches of a way on which the axis turns, and the intervals in which a column may meet each.
+void BodyMaker::addPosed(const MotionWay& way, const PartUse& part) {
+  const SweptField& whole = store_.fields.emplace_back(motionField(*part.profile, way));
+  const PosedSweep& sweep = *whole.posed();
+  for (std::size_t i = 0; i < sweep.stretches().size(); ++i) {
+    const PosedPiece& piece = store_.posed_pieces.emplace_back(sweep, i);
+    for (int number = 0; number < PosedPiece::kMostSpans; ++number)
+      bodies_.push_back({SweptBody(*part.profile, PosedBody(piece, number), &whole)});
   }
 }
 

@@ -19,9 +19,10 @@ struct BodyStore {
   std::deque<CurveWay> ways;
   std::deque<LeanLine> lean_lines;
   std::deque<LeanArc> lean_arcs;
+  std::deque<PosedPiece> posed_pieces;
 };
 
-/// The field of a part on a whole motion, whose axis must not turn. `profile` must outlive it.
+/// The field of a part on a whole motion. `profile` must outlive it.
 SweptField motionField(const ConvexProfile& profile, const MotionWay& way);
 
 /// Bounds of a part while its tip is in the box `tip`, on this motion, mm; `slack` mm wider.
@@ -57,6 +58,7 @@ class BodyMaker {
   void addLeanArc(const MotionWay& way, const ToolFrame& tool, const PartUse& part, const SweptField& curve);
   void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                      const SweptField& curve);
+  void addPosed(const MotionWay& way, const PartUse& part);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;
   bool addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
   void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "removal/sweep/leaning_sweep.h"
+#include "removal/sweep/posed_sweep.h"
 #include "removal/sweep/sweep.h"
 
 namespace proveout {
@@ -26,6 +27,9 @@ class SweptField {
   SweptField(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from, const Vec3& to,
              const ArcGeometry* arc)
       : way_(std::in_place_type<LeaningSweep>, profile, frame, from, to, arc) {}
+  /// A part whose axis turns; see MotionWay::turns.
+  SweptField(const ConvexProfile& profile, const MotionWay& way)
+      : way_(std::in_place_type<PosedSweep>, profile, way) {}
 
   /// Distance at `p`, mm, on lines to within `tolerance`, mm. Values above `cutoff` may be returned as any
   /// lower bound above `cutoff`.
@@ -67,9 +71,11 @@ class SweptField {
   Box3 bounds() const {
     return std::visit([](const auto& way) { return way.bounds(); }, way_);
   }
+  /// For who made it as such; else null.
+  const PosedSweep* posed() const { return std::get_if<PosedSweep>(&way_); }
 
  private:
-  std::variant<Sweep, LeaningSweep> way_;
+  std::variant<Sweep, LeaningSweep, PosedSweep> way_;
 };
 
 }  // namespace proveout

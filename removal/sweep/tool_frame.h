@@ -49,12 +49,16 @@ struct MotionWay {
 
   /// The axis stands still, but leans from +z.
   bool leans() const { return axis != nullptr && !turns() && !isUpright(axis->from); }
-  /// The axis turns on the way.
-  bool turns() const { return axis != nullptr && (axis->to - axis->from).norm() > kUprightAxis; }
+  /// The axis turns on the way, also where it comes back, or the part turns under it: a way of PosedWay.
+  bool turns() const {
+    if (axis == nullptr) return false;
+    return (axis->to - axis->from).norm() > kUprightAxis || axis->law == PoseLaw::kCone || chainTurns();
+  }
   /// Requires that the axis does not turn. Unit, workpiece frame, from the tip to the spindle.
   Vec3 direction() const { return leans() ? Vec3(axis->from.normalized()) : Vec3::UnitZ(); }
 
  private:
+  bool chainTurns() const;
   static bool isUpright(const Vec3& a) { return (a - Vec3::UnitZ()).norm() <= kUprightAxis; }
 };
 

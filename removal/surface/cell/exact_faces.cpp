@@ -191,7 +191,8 @@ bool ExactFaces::isOnFace(const Foot& foot, std::uint64_t face) const {
   const ConvexProfile& profile = pass->body.profile();
   // Going upright, the rim of a floor leaves the wall that the flank leaves.
   const ConvexProfile::Element& e = profile.element(first - profile.firstElementId());
-  return !e.arc && std::abs(foot.normal.dot(pass->body.axis()) - e.dr) < kFaceSlack;
+  const Vec3 axis = pass->body.axis();
+  return !e.arc && !axis.isZero() && std::abs(foot.normal.dot(axis) - e.dr) < kFaceSlack;
 }
 
 bool ExactFaces::isOnTangentNeighbour(const Foot& foot, std::uint64_t face) const {

@@ -37,7 +37,7 @@ class CurveRoot {
     double t = in_;
     for (int round = 0; round < kMostRounds; ++round) {
       const double before = std::abs(side.value);
-      double next = side.slope != 0.0 ? t - side.value / side.slope : kNothing;
+      double next = side.slope != 0.0 ? t - side.value / side.slope : kNoHeight;
       if (std::abs(next - t) < kLastStepMm && before < kNearMm)
         return {std::clamp(next, 0.0, in_), side.place};
       if (!worth_ || !(next > out_ && next < in_)) {
