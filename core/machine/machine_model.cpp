@@ -14,7 +14,7 @@ constexpr double kUnitSlack = 1e-3;
 /// How far a travel may be from whole steps, as a part of one.
 constexpr double kStepSlack = 1e-6;
 /// Volume that the directions of X, Y and Z span; at right angles it is 1.
-constexpr double kFlat = 1e-3;
+constexpr double kFlat = 1e-6;
 
 class Checker {
  public:
