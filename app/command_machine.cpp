@@ -8,6 +8,7 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
+#include "core/base/printable.h"
 #include "core/geometry/place_text.h"
 #include "core/machine/machine_chain.h"
 #include "core/machine/reach.h"
@@ -77,7 +78,7 @@ void printReach(Console& console, const MachineModel& model) {
 }
 
 void printMachine(Console& console, const MachineModel& model) {
-  console.out << fmt::format("{}\n", model.name.empty() ? "machine" : model.name);
+  console.out << fmt::format("{}\n", model.name.empty() ? "machine" : printable(model.name));
   for (const MachineAxis& axis : model.axes) printAxis(console, model, axis);
   const SpindleMount& spindle = model.spindle;
   console.out << fmt::format(

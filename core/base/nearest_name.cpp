@@ -1,6 +1,7 @@
 #include "core/base/nearest_name.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 
 namespace proveout {
@@ -64,11 +65,19 @@ constexpr std::size_t kLongestWord = 64;
 /// The first letters of a word, so many, mean it more likely than another word that is as short.
 constexpr std::size_t kClearBeginning = 3;
 
+bool sameButForCase(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 }  // namespace
 
 std::string nearestName(std::string_view word, const std::vector<std::string>& candidates) {
   std::string best;
   if (word.size() > kLongestWord) return best;
+  for (const std::string& candidate : candidates) {
+    if (sameButForCase(word, candidate)) return candidate;
+  }
   if (std::string synonym = synonymOf(word, candidates); !synonym.empty()) return synonym;
   if (word.size() >= kClearBeginning) {
     if (std::string longer = beginningWith(word, candidates); !longer.empty()) return longer;

@@ -13,6 +13,8 @@ namespace {
 constexpr double kUnitSlack = 1e-3;
 /// How far a travel may be from whole steps, as a part of one.
 constexpr double kStepSlack = 1e-6;
+/// Volume that the directions of X, Y and Z span; at right angles it is 1.
+constexpr double kFlat = 1e-6;
 
 class Checker {
  public:
@@ -25,9 +27,12 @@ class Checker {
         add(-1, "axis", fmt::format("there is no axis {}: a machine has X, Y and Z", main));
       } else if (axis(k).kind != AxisKind::kLinear) {
         add(k, "kind", fmt::format("axis {} is a linear main axis", main));
+      } else if (axis(k).side == AxisSide::kNothing) {
+        add(k, "carries", fmt::format("axis {} is a main axis: it moves the tool or the part", main));
       }
     }
     for (std::size_t k = 0; k < model_.axes.size(); ++k) checkAxis(static_cast<int>(k));
+    if (faults_.empty()) checkSpace();
     checkSpindle();
     checkPartSide();
     return std::move(faults_);
@@ -44,10 +49,7 @@ class Checker {
 
   void checkAxis(int k) {
     const MachineAxis& a = axis(k);
-    if (!isAxisName(a.name)) {
-      add(k, "name",
-          fmt::format("axis name '{}': X Y Z U V W A B or C, then up to two letters or digits", a.name));
-    }
+    if (!isAxisName(a.name)) add(k, "name", axisNameFault(a.name));
     for (int i = 0; i < k; ++i) {
       if (axis(i).name == a.name) add(k, "name", fmt::format("axis {} is given twice", a.name));
     }
@@ -72,6 +74,18 @@ class Checker {
     }
   }
 
+  /// X, Y and Z do not move in one plane: a tool gets everywhere.
+  void checkSpace() {
+    Eigen::Matrix3d space;
+    for (int k = 0; k < 3; ++k) {
+      const int at = model_.find(std::string(1, "XYZ"[k]));
+      space.col(k) = axis(at).direction;
+    }
+    if (std::abs(space.determinant()) >= kFlat) return;
+    add(model_.find("Z"), "direction",
+        "the directions of X, Y and Z lie in one plane: no motion leads out of it");
+  }
+
   void checkStep(int k) {
     const MachineAxis& a = axis(k);
     if (a.step == 0.0) return;
@@ -86,6 +100,9 @@ class Checker {
               "axis {}: a step is above 0 and divides the travel of a rotary axis (or 360) without a rest",
               a.name));
     }
+    if (!divides(a.start))
+      add(k, "start",
+          fmt::format("axis {}: its teeth hold it at whole steps, and start {:g} is none", a.name, a.start));
   }
 
   static const char* sideName(AxisSide side) {
@@ -113,7 +130,8 @@ class Checker {
     for (std::size_t k = 0; k < model_.axes.size(); ++k) {
       if (model_.axes[k].side == AxisSide::kTool && !leadsTo(s.on, static_cast<int>(k)))
         add(static_cast<int>(k), "carries",
-            fmt::format("axis {} moves the tool, but does not stand between bed and spindle",
+            fmt::format("axis {} moves the tool, but does not stand between bed and spindle: the keys 'on' "
+                        "from the spindle to the bed leave it out",
                         model_.axes[k].name));
     }
   }
@@ -153,6 +171,10 @@ bool isAxisName(std::string_view name) {
   if (std::string_view("XYZUVWABC").find(name[0]) == std::string_view::npos) return false;
   return std::all_of(name.begin() + 1, name.end(),
                      [](char c) { return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); });
+}
+
+std::string axisNameFault(std::string_view name) {
+  return fmt::format("axis name '{}': X Y Z U V W A B or C, then up to two letters or digits", name);
 }
 
 std::vector<MachineFault> machineFaults(const MachineModel& model) { return Checker(model).run(); }

@@ -92,6 +92,8 @@ struct MachineModel {
 /// Whether an axis may have this name (nct manual, 2.2): X Y Z U V W A B or C, then up to two letters or
 /// digits; AX and AXN are taken.
 bool isAxisName(std::string_view name);
+/// What is told of another name.
+std::string axisNameFault(std::string_view name);
 
 /// Why this can be no machine: an axis on one that is not there or in a loop, tool and part side mixed, a
 /// direction of length 0, travel with low above high, a step that does not divide the travel, names twice, X,

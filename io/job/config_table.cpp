@@ -232,6 +232,11 @@ std::optional<ConfigTable> ConfigTable::table(const std::string& key) {
 
 std::vector<ConfigTable> ConfigTable::tables(const std::string& key, std::size_t most) {
   std::vector<ConfigTable> out;
+  if (const ConfigValue* one = find(key); one != nullptr && one->type == Type::kTable) {
+    document_.error(one->place, "job-type",
+                    fmt::format("{0} must be a list, not a table: write [[{0}]]", key));
+    return out;
+  }
   const std::vector<ConfigValue>* const items = list(key, most);
   if (items == nullptr) return out;
   for (const ConfigValue& item : *items) {

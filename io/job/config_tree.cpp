@@ -142,6 +142,8 @@ class TextCheck {
 
   /// What is wrong first, or "". The place is the one at which the search has ended.
   std::string find() {
+    if (rest_.starts_with("\xFF\xFE") || rest_.starts_with("\xFE\xFF"))
+      return "the text is UTF-16: save it as UTF-8";
     while (!rest_.empty()) {
       if (values_ > kMostConfigValues)
         return fmt::format("more than {} lines and values: no job has so many", kMostConfigValues);

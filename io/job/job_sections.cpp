@@ -237,6 +237,14 @@ void readSpindle(ConfigTable& table, Job& job) {
 
 /// Axes and spindles as lists of what the control sees of them.
 void readAxesAndSpindles(ConfigTable& machine, Job& job) {
+  const ConfigValue* spindle = machine.find("spindle");
+  if (machine.find("body") != nullptr || (spindle != nullptr && spindle->type == Type::kTable)) {
+    machine.error(
+        spindle != nullptr ? "spindle" : "body", "job-missing",
+        fmt::format("a machine with [spindle] and [[body]] begins with schema = \"{}\"", kMachineSchema));
+    machine.find("axis");
+    return;
+  }
   std::vector<ConfigTable> axes = machine.tables("axis");
   if (!axes.empty()) {  // the job's axes stand for those of the machine's file
     job.settings.axes.clear();
@@ -245,7 +253,7 @@ void readAxesAndSpindles(ConfigTable& machine, Job& job) {
   for (ConfigTable& axis : axes) readAxis(axis, job);
   std::vector<ConfigTable> spindles = machine.tables("spindle");
   if (!spindles.empty()) job.settings.spindles.clear();
-  for (ConfigTable& spindle : spindles) readSpindle(spindle, job);
+  for (ConfigTable& one : spindles) readSpindle(one, job);
 }
 
 /// The keys that the job's table and the machine's own file share.
@@ -373,6 +381,10 @@ void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics) {
   const auto tree = parseToml(*text, document.text, diagnostics);
   if (!tree) return;
   job.machine_file = path;
+  if (tree->entries.empty())
+    return document.error(
+        {}, "job-missing",
+        fmt::format("{} says nothing: see docs/reference/job-machine.md for its keys", path));
   // Its keys stand at the top, or all in a table of their own as in a job.
   const bool apart = tree->entries.size() == 1 && tree->entries[0].key == "machine" &&
                      tree->entries[0].value.type == Type::kTable;

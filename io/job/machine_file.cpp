@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/printable.h"
 #include "core/geometry/degrees.h"
 #include "core/mesh/tri_mesh.h"
 #include "io/job/job_sections.h"
@@ -22,6 +23,7 @@ constexpr NumberRange kDirection{-2.0, 2.0, false};  // what is no unit is told 
 constexpr NumberRange kInclination{-360.0, 360.0, false};
 constexpr NumberRange kSteps{0.0, 360.0, true};
 constexpr std::size_t kMostAxes = 9, kMostBodies = 100;
+constexpr int kMostNumber = 32;  // of an axis in the control
 
 int letterAxis(const std::string& name) {
   if (name.size() != 1) return -1;
@@ -30,11 +32,8 @@ int letterAxis(const std::string& name) {
 }
 
 /// The direction that an axis has by the letter of its name: that of X for A and U, and so on.
-std::optional<Vec3> usualDirection(const std::string& name) {
-  constexpr std::string_view kLetters = "XYZUVWABC";
-  const std::size_t k = name.empty() ? std::string_view::npos : kLetters.find(name[0]);
-  if (k == std::string_view::npos) return std::nullopt;
-  return Vec3(Vec3::Unit(static_cast<int>(k % 3)));
+Vec3 usualDirection(const std::string& name) {
+  return Vec3::Unit(static_cast<int>(std::string_view("XYZUVWABC").find(name[0]) % 3));
 }
 
 /// A table of an axis while names of others are not known yet.
@@ -43,7 +42,11 @@ struct AxisRow {
   MachineAxis axis;
   std::optional<int> number;
   std::string on;  ///< empty: the bed
+  std::optional<double> rapid, acceleration;
 };
+
+/// What bodies watch besides each other.
+const std::vector<std::string> kWatchedParts{"spindle", "holder", "tool"};
 
 class MachineReader {
  public:
@@ -64,7 +67,10 @@ class MachineReader {
     for (std::size_t k = 0; k < rows_.size(); ++k)
       model_.axes[k].on = carrierOf(rows_[k]->table, rows_[k]->on);
     readSpindle();
-    for (ConfigTable& table : machine_.tables("body", kMostBodies)) readBody(table);
+    std::vector<ConfigTable> bodies = machine_.tables("body", kMostBodies);
+    for (ConfigTable& table : bodies) readBody(table);
+    for (std::size_t k = 0; k < bodies.size(); ++k) checkWatch(bodies[k], model_.bodies[k]);
+    if (machine_.document().diagnostics->errorCount() == errors) checkNumbers();
     if (machine_.document().diagnostics->errorCount() != errors) return;
     for (const MachineFault& fault : machineFaults(model_)) tell(fault);
     if (machine_.document().diagnostics->errorCount() == errors) hand();
@@ -72,34 +78,89 @@ class MachineReader {
 
  private:
   void readAxis(ConfigTable table) {
-    rows_.push_back(std::make_unique<AxisRow>(AxisRow{table, {}, {}, {}}));
+    rows_.push_back(std::make_unique<AxisRow>(AxisRow{table, {}, {}, {}, {}, {}}));
     AxisRow& row = *rows_.back();
     MachineAxis& axis = row.axis;
     ConfigTable& t = row.table;
-    if (const auto name = t.must("name").text("name")) axis.name = *name;
+    if (!readName(t, axis)) return;
     const bool main = letterAxis(axis.name) >= 0;
     const bool turns =
         !axis.name.empty() && std::string_view("ABC").find(axis.name[0]) != std::string_view::npos;
     axis.kind = turns ? AxisKind::kRotary : AxisKind::kLinear;
     if (const auto kind = t.choice("kind", {"linear", "rotary"}))
       axis.kind = *kind == "rotary" ? AxisKind::kRotary : AxisKind::kLinear;
-    if (const auto number = t.integer("number", 1, 32)) row.number = static_cast<int>(*number);
+    if (const auto number = t.integer("number", 1, kMostNumber)) row.number = static_cast<int>(*number);
     if (const auto on = t.text("on")) row.on = *on == "bed" ? "" : *on;
     if (const auto side = t.choice("carries", {"tool", "part", "nothing"}))
       axis.side = *side == "part" ? AxisSide::kPart : *side == "tool" ? AxisSide::kTool : AxisSide::kNothing;
     if (axis.kind == AxisKind::kRotary && !main && axis.side != AxisSide::kNothing) {
-      if (const auto point = t.must("point").point("point")) axis.point = *point;
-      if (const auto sense = t.choice("sense", {"right", "left"})) axis.left = *sense == "left";
-      if (const auto clamped = t.flag("clamped")) axis.clamped = *clamped;
-      if (const auto step = t.number("step", kSteps)) axis.step = *step;
+      readTurn(t, axis);
+    } else if (axis.kind == AxisKind::kLinear || axis.side == AxisSide::kNothing) {
+      refuseTurn(t, axis);
     }
     readDirection(t, axis);
     if (t.find("travel") != nullptr) axis.travel = readLimit(t, "travel");
-    if (const auto rapid = t.number("rapid", kRate)) axis.rapid = *rapid;
-    if (const auto a = t.number("acceleration", kAcceleration)) axis.acceleration = *a;
-    if (const auto start = t.number("start", kAnyLength)) axis.start = *start;
-    if (const auto reference = t.number("reference", kAnyLength)) axis.reference = *reference;
+    row.rapid = t.number("rapid", kRate);
+    row.acceleration = t.number("acceleration", kAcceleration);
+    axis.rapid = row.rapid.value_or(axis.rapid);
+    axis.acceleration = row.acceleration.value_or(axis.acceleration);
+    readPlaces(t, axis, main);
     t.refuseOthers();
+  }
+
+  /// False, and an error, where other keys would be taken for those of another axis.
+  bool readName(ConfigTable& table, MachineAxis& axis) {
+    const auto name = table.must("name").text("name");
+    if (!name) return false;
+    const auto same = [&](const std::unique_ptr<AxisRow>& row) { return row->axis.name == *name; };
+    if (!isAxisName(*name)) {
+      table.error("name", "job-machine", axisNameFault(shortened(*name)));
+    } else if (std::ranges::any_of(rows_, same)) {
+      table.error("name", "job-machine", fmt::format("axis {} is given twice", *name));
+    } else {
+      axis.name = *name;
+    }
+    return !axis.name.empty();
+  }
+
+  static void readTurn(ConfigTable& table, MachineAxis& axis) {
+    if (const auto point = table.must("point").point("point")) axis.point = *point;
+    if (const auto sense = table.choice("sense", {"right", "left"})) axis.left = *sense == "left";
+    if (const auto clamped = table.flag("clamped")) axis.clamped = *clamped;
+    if (const auto step = table.number("step", kSteps)) axis.step = *step;
+  }
+
+  /// Of an axis that turns nothing: its keys are spelled right, so that the nearest name would mislead.
+  static void refuseTurn(ConfigTable& table, const MachineAxis& axis) {
+    for (const char* key : {"point", "sense", "clamped", "step"}) {
+      if (table.find(key) == nullptr) continue;
+      table.error(key, "job-value",
+                  fmt::format("axis {} turns neither tool nor part: {} is a key of rotary axes that do",
+                              axis.name, key));
+    }
+  }
+
+  /// Where it stands at power-on and at the reference points. X, Y and Z have keys of the machine for that.
+  static void readPlaces(ConfigTable& table, MachineAxis& axis, bool main) {
+    const auto start = table.number("start", kAnyLength), reference = table.number("reference", kAnyLength);
+    if (main && start)
+      table.error("start", "job-value",
+                  "X, Y and Z begin where the key 'start' of the machine says, [x, y, z]");
+    if (main && reference)
+      table.error("reference", "job-value",
+                  "of X, Y and Z give 'reference_points' of the machine, [[x, y, z]]");
+    if (main) return;
+    axis.start = start.value_or(axis.start);
+    axis.reference = reference.value_or(axis.reference);
+    checkPlace(table, axis, "start", axis.start);
+    if (reference) checkPlace(table, axis, "reference", axis.reference);
+  }
+
+  static void checkPlace(ConfigTable& table, const MachineAxis& axis, const char* key, double at) {
+    if (!axis.travel || (at >= axis.travel->min && at <= axis.travel->max)) return;
+    table.error(key, "job-range",
+                fmt::format("axis {}: {} {:g} is outside of its travel, {:g} to {:g}", axis.name, key, at,
+                            axis.travel->min, axis.travel->max));
   }
 
   void readDirection(ConfigTable& table, MachineAxis& axis) {
@@ -120,10 +181,8 @@ class MachineReader {
       axis.direction = turn.cos * Vec3::Unit(letterAxis(*first)) + turn.sin * Vec3::Unit(letterAxis(*second));
     } else if (given) {
       if (const auto direction = table.point("direction", kDirection)) axis.direction = *direction;
-    } else if (const auto usual = usualDirection(axis.name)) {
-      axis.direction = *usual;
     } else {
-      table.require("direction");
+      axis.direction = usualDirection(axis.name);
     }
   }
 
@@ -168,12 +227,37 @@ class MachineReader {
       readCylinder(table, body);
     }
     if (const auto watch = table.texts("watch")) body.watch = *watch;
-    for (const MachineBody& other : model_.bodies) {
-      if (other.name == body.name)
-        table.error("name", "job-value", fmt::format("there are two bodies with the name '{}'", body.name));
-    }
+    checkBodyName(table, body.name);
     table.refuseOthers();
     model_.bodies.push_back(std::move(body));
+  }
+
+  void checkBodyName(ConfigTable& table, const std::string& name) {
+    if (std::ranges::find(kWatchedParts, name) != kWatchedParts.end())
+      table.error("name", "job-value",
+                  fmt::format("'{}' is the machine's own: a body has another name than {}", name,
+                              fmt::join(kWatchedParts, ", ")));
+    for (const MachineBody& other : model_.bodies) {
+      if (!name.empty() && other.name == name)
+        table.error("name", "job-value",
+                    fmt::format("there are two bodies with the name '{}'", shortened(name)));
+    }
+  }
+
+  /// Bodies may watch others that stand below them in the file: call with all of them known.
+  void checkWatch(ConfigTable& table, const MachineBody& body) {
+    std::vector<std::string> names = kWatchedParts;
+    for (const MachineBody& other : model_.bodies) {
+      if (other.name != body.name) names.push_back(other.name);
+    }
+    for (const std::string& name : body.watch) {
+      if (name == body.name) {
+        table.error("watch", "job-value",
+                    fmt::format("body '{}' watches itself: name others", shortened(name)));
+      } else if (std::ranges::find(names, name) == names.end()) {
+        unknownChoice(table.document(), table.placeOf("watch"), "watch", name, names);
+      }
+    }
   }
 
   static void readMesh(ConfigTable& table, MachineBody& body) {
@@ -209,6 +293,28 @@ class MachineReader {
     body.shape = MachineBody::Cylinder{*from, *to, *radius};
   }
 
+  /// Numbers of the control: as given, else X 1, Y 2, Z 3 and from 4 on, one above the axis before.
+  void checkNumbers() {
+    int next = 4;
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      const int main = letterAxis(rows_[k]->axis.name);
+      const int number = rows_[k]->number.value_or(main < 0 ? next : main + 1);
+      if (main < 0) next = number + 1;
+      numbers_.push_back(number);
+      const auto last = numbers_.end() - 1, same = std::find(numbers_.begin(), last, number);
+      ConfigTable& table = rows_[k]->table;
+      if (number > kMostNumber)
+        table.error("number", "job-range",
+                    fmt::format("axis {} would have the number {}, {} is the last one: give it a number",
+                                rows_[k]->axis.name, number, kMostNumber));
+      if (same == last) continue;
+      const std::string& other = rows_[static_cast<std::size_t>(same - numbers_.begin())]->axis.name;
+      table.error("number", "job-value",
+                  fmt::format("axes {} and {} have the same number {}: give each its own", other,
+                              rows_[k]->axis.name, number));
+    }
+  }
+
   void tell(const MachineFault& fault) {
     ConfigTable& table = fault.axis >= 0 ? rows_[static_cast<std::size_t>(fault.axis)]->table
                          : std::string_view(fault.key) == "axis" || !spindle_ ? machine_
@@ -223,19 +329,15 @@ class MachineReader {
     model_.spindle.direction.normalize();
     settings.axes.clear();
     settings.rapid_by_default = false;
-    int next = 4;
     for (std::size_t k = 0; k < rows_.size(); ++k) {
-      const MachineAxis& axis = model_.axes[k];
+      MachineAxis& axis = model_.axes[k];
       if (k < 3) {
-        settings.rapid_mm_min[static_cast<int>(k)] = axis.rapid;
-        settings.acceleration_mm_s2[static_cast<int>(k)] = axis.acceleration;
-        settings.limits[k] = axis.travel;
+        handMain(k, axis);
         if (!rows_[k]->number) continue;  // as they are numbered anyway
       }
       AxisSettings& own = settings.axes.emplace_back();
       own.name = axis.name;
-      own.number = rows_[k]->number.value_or(next);
-      if (k >= 3) next = own.number + 1;
+      own.number = numbers_[k];
       own.kind = axis.kind;
       own.rapid = axis.rapid;
       own.acceleration = axis.acceleration;
@@ -252,9 +354,21 @@ class MachineReader {
     settings.machine = std::move(model_);
   }
 
+  /// X, Y or Z: what its table leaves out is as the keys of the whole machine say.
+  void handMain(std::size_t k, MachineAxis& axis) {
+    ControlSettings& settings = job_.settings;
+    double& rapid = settings.rapid_mm_min[static_cast<int>(k)];
+    double& acceleration = settings.acceleration_mm_s2[static_cast<int>(k)];
+    rapid = axis.rapid = rows_[k]->rapid.value_or(rapid);
+    acceleration = axis.acceleration = rows_[k]->acceleration.value_or(acceleration);
+    if (!axis.travel) axis.travel = settings.limits[k];
+    settings.limits[k] = axis.travel;
+  }
+
   ConfigTable& machine_;
   Job& job_;
   std::vector<std::unique_ptr<AxisRow>> rows_;
+  std::vector<int> numbers_;  ///< by axis
   std::unique_ptr<ConfigTable> spindle_;
   MachineModel model_;
 };

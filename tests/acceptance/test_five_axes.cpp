@@ -1,4 +1,4 @@
-// Heads and tables: one part on three machines, and what must not pass.
+// Heads and tables: one part on three machines, and what must not pass. Rows: nct-25.5-EX nct-25.12-EX
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -553,6 +553,7 @@ TEST(NearestName, FindsSlipsOnly) {
   EXPECT_EQ(nearestName("feed", names), "");
   EXPECT_EQ(nearestName("", names), "");
   EXPECT_EQ(nearestName("x", {"y"}), "");
+  EXPECT_EQ(nearestName("x", {"y", "X"}), "X");
   EXPECT_EQ(nearestName(std::string(100000, 'd'), names), "");
 }
 

@@ -4,80 +4,17 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <cmath>
 
-#include "core/machine/machine_chain.h"
-#include "io/job/job.h"
+#include "machine_text.h"
 
 namespace proveout {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// Line numbers of the tests below count from 1 in this text.
-const std::string kGood =
-    "schema = \"proveout.machine/1\"\n"         // 1
-    "name = \"trunnion\"\n"                     // 2
-    "[[axis]]\n"                                // 3
-    "name = \"X\"\n"                            // 4
-    "travel = [-10, 810]\n"                     // 5
-    "rapid = 30000\n"                           // 6
-    "[[axis]]\n"                                // 7
-    "name = \"Y\"\n"                            // 8
-    "on = \"X\"\n"                              // 9
-    "[[axis]]\n"                                // 10
-    "name = \"Z\"\n"                            // 11
-    "on = \"Y\"\n"                              // 12
-    "[[axis]]\n"                                // 13
-    "name = \"A\"\n"                            // 14
-    "carries = \"part\"\n"                      // 15
-    "direction = [1, 0, 0]\n"                   // 16
-    "point = [400, 300, -500]\n"                // 17
-    "sense = \"left\"\n"                        // 18
-    "travel = [-120, 30]\n"                     // 19
-    "[[axis]]\n"                                // 20
-    "name = \"C\"\n"                            // 21
-    "on = \"A\"\n"                              // 22
-    "carries = \"part\"\n"                      // 23
-    "point = [400, 300, -460]\n"                // 24
-    "step = 1.0\n"                              // 25
-    "clamped = true\n"                          // 26
-    "[spindle]\n"                               // 27
-    "on = \"Z\"\n"                              // 28
-    "gauge = [0, 0, 20]\n"                      // 29
-    "[[body]]\n"                                // 30
-    "name = \"cradle\"\n"                       // 31
-    "on = \"A\"\n"                              // 32
-    "box = [[0, 0, -600], [800, 600, -520]]\n"  // 33
-    "watch = [\"spindle\", \"holder\"]\n";      // 34
-
-struct Read {
-  Job job;
-  Diagnostics diagnostics;
-  std::string error;
-};
-
-Read readText(const std::string& text) {
-  const fs::path path = fs::temp_directory_path() / fmt::format("machine-{}.toml", ::getpid());
-  std::ofstream(path) << text;
-  Read out;
-  loadMachine(path.string(), out.job, out.diagnostics);
-  fs::remove(path);
-  for (const Diagnostic& d : out.diagnostics.all()) {
-    if (out.error.empty()) out.error = fmt::format("{} {}: {}", d.where.line, d.code, d.message);
-  }
-  return out;
-}
-
-std::string replaced(const std::string& from, const std::string& to) {
-  const std::size_t at = kGood.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return std::string(kGood).replace(at, from.size(), to);
-}
+using namespace io_test;
 
 TEST(MachineFile, IsReadAsAChain) {
-  const Read read = readText(kGood);
+  const ReadMachine read = readMachineText(kGoodMachine);
   ASSERT_EQ(read.error, "");
   const ControlSettings& settings = read.job.settings;
   ASSERT_TRUE(settings.machine);
@@ -106,8 +43,8 @@ TEST(MachineFile, IsReadAsAChain) {
 }
 
 TEST(MachineFile, InclinedAxes) {
-  const Read read = readText(
-      replaced("direction = [1, 0, 0]", "inclination = { from = \"Y\", toward = \"Z\", degrees = -45 }"));
+  const ReadMachine read = readMachineText(inGoodMachine(
+      "direction = [1, 0, 0]", "inclination = { from = \"Y\", toward = \"Z\", degrees = -45 }"));
   ASSERT_EQ(read.error, "");
   const Vec3 direction = read.job.settings.machine->axes[3].direction;
   EXPECT_LT((direction - Vec3(0, std::sqrt(0.5), -std::sqrt(0.5))).norm(), 1e-15);
@@ -171,7 +108,7 @@ TEST(MachineFile, WhatIsWrongIsToldWithKeyAndLine) {
       {"name = \"C\"", "name = \"AXN\"", 21, "axis name"},
   };
   for (const auto& row : rows) {
-    const Read read = readText(replaced(row.from, row.to));
+    const ReadMachine read = readMachineText(inGoodMachine(row.from, row.to));
     EXPECT_TRUE(read.error.starts_with(fmt::format("{} ", row.line))) << row.to << ": " << read.error;
     EXPECT_NE(read.error.find(row.word), std::string::npos) << row.to << ": " << read.error;
     EXPECT_FALSE(read.job.settings.machine) << row.to;
@@ -179,9 +116,9 @@ TEST(MachineFile, WhatIsWrongIsToldWithKeyAndLine) {
 }
 
 TEST(MachineFile, ATextCutAnywhereIsNoCrashAndNoHalfMachine) {
-  for (std::size_t length = 0; length < kGood.size(); length += 7) {
-    const Read read = readText(kGood.substr(0, length));
-    EXPECT_TRUE(length >= kGood.find("[spindle]") || !read.job.settings.machine) << length;
+  for (std::size_t length = 0; length < kGoodMachine.size(); length += 7) {
+    const ReadMachine read = readMachineText(kGoodMachine.substr(0, length));
+    EXPECT_TRUE(length >= kGoodMachine.find("[spindle]") || !read.job.settings.machine) << length;
   }
 }
 

@@ -7,10 +7,13 @@
 // nct-25.1-N3213 nct-25.1-N3216 nct-25.2-G43.1 nct-25.2-G49 nct-25.2-FOS nct-25.3-G68.1 nct-25.3-G69.1
 // nct-25.4-G54.2 nct-25.4-FOS nct-25.4-SUSP nct-25.4-VAR nct-25.4.1-G10L21 nct-25.6-G68.2 nct-25.6-G69.1
 // nct-25.7-G68.2P1 nct-25.8-G68.2P2 nct-25.8-G68.2P2Q0 nct-25.9-G68.2P3 nct-25.10-G68.2P4 nct-25.11-G53.1
-// nct-25.11-FOS nct-25.11-SEL nct-25.13-G52 nct-25.13-G68 nct-25.19-PCS nct-25.19-TLC nct-25.19-5041
+// nct-25.1-N3206 nct-25.1-N3210 nct-25.1-N3219 nct-25.1-N3222 nct-25.13-G92 nct-25.13-G51 nct-25.13-G51.1
+// nct-25-UNREACH nct-25.11-FOS nct-25.11-SEL nct-25.13-G52 nct-25.13-G68 nct-25.19-PCS nct-25.19-TLC
+// nct-25.19-5041
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/machine/machine_chain.h"
@@ -132,6 +135,22 @@ TEST(TiltedPlane, ANewOneReplacesTheOld) {
 TEST(TiltedPlane, ShiftsAndTurnsOfTheProgramComeFirst) {
   expectFrame("G68.2 X200 Y0 Z50 I90 J30 K0\nG52 X10 Y20 Z30", {0, 0, 0}, {197.6795, 10, 85.9808});
   expectFrame("G68.2 X200 Y0 Z50 I90 J30 K0\nG17 G68 X0 Y0 R90", {20, -10, 30}, {197.6795, 10, 85.9808});
+}
+
+/// By hand: each program point is turned into (10, 20, 30) of the plane. G92 makes the place where the tool
+/// stands the one that it names; scaling is about its centre, 1 + 3 * (4 - 1) = 10; a mirror turns -4 about 3
+/// into 10.
+TEST(TiltedPlane, NewZeroScalingAndMirrorsComeFirst) {
+  const std::string plane = "G68.2 X200 Y0 Z50 I90 J30 K0\n";
+  const Vec3 tip(197.6795, 10, 85.9808);
+  expectFrame(plane + "G0 X1 Y2 Z3\nG92 X0 Y0 Z0", {9, 18, 27}, tip);
+  expectFrame(plane + "G0 X1 Y2 Z3\nG92 X5", {14, 20, 30}, tip);
+  expectFrame(plane + "G51 X0 Y0 Z0 P2", {5, 10, 15}, tip);
+  expectFrame(plane + "G51 X1 Y2 Z3 P3", {4, 8, 12}, tip);
+  expectFrame(plane + "G51.1 X0", {-10, 20, 30}, tip);
+  expectFrame(plane + "G51.1 X3 Z1", {-4, 20, -28}, tip);
+  // The mirror is outermost (manual 16.4): (20, 10) turned by 90 degrees is (-10, 20).
+  expectFrame(plane + "G51.1 X0\nG17 G68 X0 Y0 R90", {20, 10, 30}, tip);
 }
 
 TEST(TiltedPlane, ErrorsOfTheDefinition) {
@@ -396,6 +415,100 @@ TEST(MachineData, AWrongParameterShowsInThePath) {
   const Vec3 off = endOf(out, 5).tip - Vec3(100, 100, 50);
   EXPECT_GT(off.norm(), 0.5);
   EXPECT_LT(off.norm(), 3.0);
+}
+
+/// What all warnings of this code say, one a line.
+std::string warningsOf(const Outcome& out, std::string_view code) {
+  std::string all;
+  for (const Diagnostic& d : out.path.diagnostics.all()) {
+    if (d.code == code) all += d.message + "\n";
+  }
+  return all;
+}
+
+/// Rotary angles, and where the tool really points, with a table inclined by -45 degrees that the control
+/// takes for one of -44: it gets to (0.5, 0, 0.8660) by its own equations and misses.
+TEST(MachineData, AWrongInclinationOfTheFirstAxisTurnsTheTool) {
+  const double r = std::sqrt(0.5);
+  MachineModel machine = test::plainMachine();
+  test::addTable(machine, "B", {0, r, -r}, {400, 300, -500});
+  test::addTable(machine, "C", Vec3::UnitZ(), {400, 300, -460});
+  ControlSettings settings = settingsOf(machine, kTableZero);
+  settings.parameters = {{"N3205", 5}, {"N3206", -45}};
+  const Outcome right = runOf(toolDirectionProgram("I90 J30 K0"), settings);
+  EXPECT_EQ(warningsOf(right, "nct-machine-data"), "");
+  EXPECT_NEAR(rotaryAt(right, 4, "B"), 42.9414, 1e-4);
+  EXPECT_NEAR(rotaryAt(right, 4, "C"), 15.5423, 1e-4);
+  for (const bool with_direction : {true, false}) {  // alone it leans in the machine's own plane
+    settings.parameters = {{"N3206", -44}};
+    if (with_direction) settings.parameters["N3205"] = 5;
+    const Outcome wrong = runOf(toolDirectionProgram("I90 J30 K0"), settings);
+    EXPECT_NE(warningsOf(wrong, "nct-machine-data").find("N3206 = -44 (turns about"), std::string::npos)
+        << warningsOf(wrong, "nct-machine-data");
+    EXPECT_NEAR(rotaryAt(wrong, 4, "B"), 42.1759, 1e-4);
+    EXPECT_NEAR(rotaryAt(wrong, 4, "C"), 14.9962, 1e-4);
+    EXPECT_LT((endOf(wrong, 4).axis - Vec3(0.492087, -0.002201, 0.870543)).norm(), 1e-5);
+  }
+}
+
+/// The same of the head that leans by 45 degrees, wanted (0.5, 0.5, 0.7071).
+TEST(MachineData, AWrongInclinationOfTheSecondAxisTurnsTheTool) {
+  const double r = std::sqrt(0.5);
+  MachineModel machine = test::plainMachine();
+  test::addHead(machine, "B", Vec3::UnitY(), {0, 0, 200});
+  test::addHead(machine, "C", {0, r, r}, {0, 0, 200});
+  const std::string program =
+      "G54 G0 X0 Y0 Z0\nG43 Z0 H1\nG68.2 P3 Q1 I1 J-1 K0\nG68.2 P3 Q2 I0.5 J0.5 K0.7071067811865476\nG53.1";
+  ControlSettings settings = settingsOf(machine, Vec3::Zero());
+  settings.parameters = {{"N3209", 5}, {"N3210", 45}};
+  const Outcome right = runOf(program, settings);
+  EXPECT_EQ(warningsOf(right, "nct-machine-data"), "");
+  EXPECT_NEAR(rotaryAt(right, 5, "B"), -19.4712, 1e-4);
+  EXPECT_NEAR(rotaryAt(right, 5, "C"), 90.0, 1e-4);
+  settings.parameters["N3210"] = 44;
+  const Outcome wrong = runOf(program, settings);
+  EXPECT_NE(warningsOf(wrong, "nct-machine-data").find("N3210 = 44 (turns about"), std::string::npos);
+  EXPECT_NEAR(rotaryAt(wrong, 5, "B"), -20.8983, 1e-4);
+  EXPECT_NEAR(rotaryAt(wrong, 5, "C"), 90.0349, 1e-4);
+  EXPECT_LT((endOf(wrong, 5).axis - Vec3(0.482343, 0.500305, 0.719055)).norm(), 1e-5);
+}
+
+/// A vector d too much from the holder to the second head axis moves the tip by M1 M2 d - d, one from there
+/// to the first axis by M1 d - d: the control goes by V of its parameters, and the tip is by that of the
+/// machine.
+TEST(MachineData, WrongOffsetsOfHeadsMoveTheTip) {
+  const struct {
+    const char *parameter, *is, *angles;
+    double value;
+    Vec3 off;
+  } rows[] = {{"N3219", "0", "C0 B90", 1, {-1, 0, -1}},    {"N3220", "0", "C90 B90", 2, {-2, -2, 0}},
+              {"N3221", "150", "C0 B90", 151, {1, 0, -1}}, {"N3221", "150", "C90 B90", 153, {0, 3, -3}},
+              {"N3222", "0", "C90 B90", 3, {-3, 3, 0}},    {"N3223", "0", "C90 B0", -2, {2, 2, 0}},
+              {"N3224", "0", "C90 B90", 5, {0, 0, 0}}};
+  for (const auto& row : rows) {
+    ControlSettings settings = settingsOf(test::machineCB(), Vec3::Zero());
+    settings.parameters[row.parameter] = row.value;
+    const Outcome out =
+        runOf(fmt::format("G54 G0 X0 Y0 Z300\nG43.1 H1 X10 Y20 Z30 {}", row.angles), settings);
+    expectTip(out, 2, Vec3(10, 20, 30) + row.off);
+    const std::string told =
+        fmt::format("{} = {:g}, but the machine has {}:", row.parameter, row.value, row.is);
+    const std::string all = warningsOf(out, "nct-machine-data");
+    EXPECT_TRUE(all.starts_with(told)) << all;
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), 1) << all;
+  }
+}
+
+/// Of a head-table machine the vector leads to the head: V = M1 (H + I) - I.
+TEST(MachineData, AWrongOffsetOfTheHeadBesideATable) {
+  ControlSettings settings = settingsOf(test::headTable(), kTableZero);
+  settings.parameters = {{"N3219", 5}, {"N3221", 148}};
+  const Outcome out = runOf("G54 G0 X0 Y0 Z300\nG43.1 H1 X10 Y20 Z30 B90", settings);
+  // d = (5, 0, -2) turns into (-2, 0, -5).
+  expectTip(out, 2, Vec3(10, 20, 30) + Vec3(-7, 0, -3));
+  const std::string all = warningsOf(out, "nct-machine-data");
+  EXPECT_NE(all.find("N3219 = 5, but the machine has 0:"), std::string::npos) << all;
+  EXPECT_NE(all.find("N3221 = 148, but the machine has 150:"), std::string::npos) << all;
 }
 
 TEST(MachineData, WhatNoMachineHasIsRefused) {

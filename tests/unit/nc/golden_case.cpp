@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
 
 #include "core/base/printable.h"
 #include "core/nc/text/source_text.h"
+#include "io/job/job.h"
 #include "wedm_path.h"
 
 namespace proveout::test {
@@ -171,6 +173,18 @@ SpindleSettings spindleOf(std::istringstream& in, const std::string& line) {
   return spindle;
 }
 
+/// machine = FILE, seen from the project's folder: what a job with that file gives the control.
+void setMachine(ControlSettings& s, std::istringstream& in, const std::string& line) {
+  std::string file;
+  if (!(in >> file)) throw std::runtime_error("file expected: " + line);
+  Job job;
+  job.settings = s;
+  Diagnostics diagnostics;
+  loadMachine(std::string(PROVEOUT_SOURCE_DIR) + "/" + file, job, diagnostics);
+  if (diagnostics.hasErrors()) throw std::runtime_error(formatDiagnostic(diagnostics.all().front()));
+  s = job.settings;
+}
+
 void setLine(ControlSettings& s, const std::string& line) {
   std::istringstream in(line);
   std::string key, equals;
@@ -203,6 +217,8 @@ void setLine(ControlSettings& s, const std::string& line) {
     s.parameters[key] = value();
   } else if (key.starts_with("param.")) {
     s.parameters[key.substr(6)] = value();
+  } else if (key == "machine") {
+    setMachine(s, in, line);
   } else if (key == "axis") {
     s.axes.push_back(axisOf(in, line));
   } else if (key == "spindle") {
@@ -370,6 +386,7 @@ std::vector<double> figuresOf(const std::string& word, std::istringstream& words
   if (word == "start") return {m.motion.thread_start_deg};
   if (word == "change") return {m.motion.thread_pitch_change};
   if (word == "T") return {static_cast<double>(motion.tool)};
+  if (word == "axis") return {m.axis.to.x(), m.axis.to.y(), m.axis.to.z()};
   if (word == "ch") return {static_cast<double>(motion.channel)};
   if (word == "center" || word == "sweep") return arcFigure(word, m, upper);
   std::vector<double> figures;
@@ -592,12 +609,32 @@ std::string GoldenPath::line(std::uint32_t file, std::uint32_t number) const {
   return lines->second[number - 1];
 }
 
+namespace {
+
+/// The text without its motions: of chords the truth tells the ends, and their number is not promised.
+std::string withoutMotions(const std::string& text) {
+  std::istringstream in(text);
+  std::string out;
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    const bool motion = colon != std::string::npos && line.find_first_not_of("0123456789 Ndepth/") == colon &&
+                        line.find(" event ") == std::string::npos;
+    if (!motion) out += line + "\n";
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string runGolden(const GoldenCase& golden, std::vector<GoldenMotion>& motions, bool as_channel) {
   TextSink sink(motions);
   MemoryOutput output;
   const InterpretSummary s = runInto(sink, output, golden, as_channel);
   for (const auto& [name, bytes] : output.files()) sink.text += "file " + name + ": " + escaped(bytes) + "\n";
   if (!golden.channels.empty()) sink.text += "cycle " + number(s.cycle_s) + " s\n";
+  if (golden.truth.starts_with("line "))
+    return withoutMotions(sink.text) + fmt::format("{}: {} blocks, {} errors, {} warnings\n", endName(s.end),
+                                                   s.blocks, s.errors, s.warnings);
   return sink.text + fmt::format("{}: {} blocks, {} motions, {} errors, {} warnings\n", endName(s.end),
                                  s.blocks, s.motions, s.errors, s.warnings);
 }
@@ -622,7 +659,37 @@ std::string missingIn(const std::string& text, const std::string& says) {
   return "";
 }
 
+namespace {
+
+/// Compares `line N ...` with the last motion of line N of the main program. Lines with motions that the
+/// truth leaves out are problems.
+std::string compareLineEnds(const std::string& truth, const std::vector<GoldenMotion>& motions) {
+  std::map<std::uint32_t, const GoldenMotion*> ends;
+  for (const GoldenMotion& m : motions) ends[m.motion.source.line] = &m;
+  std::istringstream in(truth);
+  std::string problems;
+  for (std::string line; std::getline(in, line);) {
+    if (line.empty()) continue;
+    std::istringstream words(line);
+    std::string word, rest;
+    std::uint32_t number = 0;
+    if (!(words >> word >> number) || word != "line" || !std::getline(words, rest))
+      throw std::runtime_error("line N expected: " + line);
+    if (const auto end = ends.find(number); end == ends.end()) {
+      problems += fmt::format("line {} does not move\n", number);
+    } else {
+      compareLine(rest, *end->second, fmt::format("end of line {}", number), problems);
+      ends.erase(end);
+    }
+  }
+  for (const auto& [number, motion] : ends) problems += fmt::format("line {} is not told\n", number);
+  return problems;
+}
+
+}  // namespace
+
 std::string compareWithTruth(const std::string& truth, const std::vector<GoldenMotion>& motions) {
+  if (truth.starts_with("line ")) return compareLineEnds(truth, motions);
   std::istringstream in(truth);
   std::string problems;
   std::size_t index = 0;

@@ -3,7 +3,8 @@
 //   === about        free text; "proves: id id ..." names coverage ids
 //   === settings     one a line: H1 = 10, D1 = 5, G54 = 1 2 3, start = 0 0 50, N1339 = 0.01, skip = 1,
 //                    insert2 = NX NZ [GX GZ] (nose centre and gauge seen from the touch-off point),
-//                    axis = C 6 rotary rapid 3600 limit -360 360, ...; of the person at the machine:
+//                    axis = C 6 rotary rapid 3600 limit -360 360, machine = FILE (a machine file, seen from
+//                    the project's folder; axes stand behind it), ...; of the person at the machine:
 //                    answer107 = 2, plc_bit3 = 1, plc_number1 = 2.5, date, time, test_mode; main_name =
 //                    O0012.nc;
 //                    material for measuring moves: probe = plane NX NY NZ D (where N.p >= D),
@@ -16,7 +17,10 @@
 //                    [t seconds] [S spindle] [T tool] [ch channel] [rotary ends] [at part-of-the-way x y
 //                    z]...; * is anything. Of a wire: end of its lower track, then [center x y] [sweep deg]
 //                    [at part-of-the-way x y z], `upper` and the same of its upper track; a track without
-//                    sweep is a line. One line may be the way of all cuts, mm: length lower [upper]
+//                    sweep is a line. One line may be the way of all cuts, mm: length lower [upper].
+//                    Where motions go along chords: `line N`, the same of the last motion of that line of the
+//                    main program, with [axis x y z] (the tool's direction); every line that moves is told,
+//                    and the expected text has no motions
 //   === says         what the text must hold, in this order: alarms, events, files written
 //   === characterisation  why there is no independent value: the file only guards what the program does
 //                    today. Every file has a truth, a says or this

@@ -59,7 +59,7 @@ struct Control {
   std::size_t rows = 0;       ///< of the control's own list
   std::size_t specified = 0;  ///< of the manual
 };
-const Control kControls[] = {{ControlId::kNct, "nct-", 730, 798},
+const Control kControls[] = {{ControlId::kNct, "nct-", 740, 798},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
                              {ControlId::kFlexNc, "fnc-", 163, 163},
                              {ControlId::kWedm, "wedm-", 95, 95}};
@@ -218,6 +218,20 @@ TEST(GoldenFiles, TruthOfAWireIsComparedTrackByTrack) {
   EXPECT_TRUE(wrong(right + "length 15.709 10\n"));
   EXPECT_TRUE(wrong(right + "length 15.70796 10.1\n"));
   EXPECT_TRUE(wrong("length 15.70796 10\n"));  // the motion itself is not told
+}
+
+TEST(GoldenFiles, TruthOfLinesIsOfTheirEnds) {
+  std::vector<GoldenMotion> motions(3);
+  motions[0].motion.source.line = motions[1].motion.source.line = 4;
+  motions[1].motion.to = Vec3(1, 2, 3);
+  motions[1].axis.to = Vec3(0.6, 0, 0.8);
+  motions[2].motion.source.line = 5;
+  const auto wrong = [&](const std::string& truth) { return !compareWithTruth(truth, motions).empty(); };
+  EXPECT_EQ(compareWithTruth("line 4 1 2 3 axis 0.6 0 0.8\nline 5 0 0 0\n", motions), "");
+  EXPECT_TRUE(wrong("line 4 0 0 0\nline 5 0 0 0\n"));                // the first motion of the line
+  EXPECT_TRUE(wrong("line 4 1 2 3 axis 0 0 1\nline 5 0 0 0\n"));     // another direction
+  EXPECT_TRUE(wrong("line 4 1 2 3\n"));                              // line 5 is left out
+  EXPECT_TRUE(wrong("line 4 1 2 3\nline 5 0 0 0\nline 6 0 0 0\n"));  // line 6 does not move
 }
 
 TEST(GoldenFiles, OneChannelAloneGivesThePathOfAProgramAlone) {

@@ -86,11 +86,22 @@ class MachineData {
     model_.tool = tool;
   }
 
+  /// The value of N3205 for a direction: along an axis, or in the plane of two; 0: neither.
+  static int codeOf(const Vec3& direction) {
+    int code = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (std::abs(direction[k]) > 1.0 - kSame) return k + 1;
+      if (std::abs(direction[k]) < kSame) code = 4 + (k + 1) % 3;  // square to Z: in the plane of X and Y
+    }
+    return code;
+  }
+
   /// Direction and sense together: one turned round with the other is the same axis.
   void takeTurn(const TurnParams& p, Vec3& direction, double& sign) {
     const Vec3 before = sign * direction;
-    const int code = static_cast<int>(c_.parameters[p.direction]);
-    if (given(p.direction) && code > 0) {
+    const int code = given(p.direction) ? static_cast<int>(c_.parameters[p.direction]) : codeOf(direction);
+    const bool inclined = given(p.inclination) && code > 3;
+    if ((given(p.direction) || inclined) && code > 0) {
       const SinCos turn = sinCosDegrees(c_.parameters[p.inclination]);
       direction = code <= 3 ? Vec3(Vec3::Unit(code - 1))
                             : Vec3(turn.cos * Vec3::Unit(code - 4) + turn.sin * Vec3::Unit((code - 3) % 3));
@@ -99,10 +110,13 @@ class MachineData {
     const Vec3 after = sign * direction;
     if ((after - before).norm() <= kSame) return;
     const bool opposed = (after + before).norm() <= kSame && given(p.reversed);
-    tell(opposed ? p.reversed : p.direction,
-         opposed
-             ? fmt::format("{}", sign < 0.0 ? 1 : 0)
-             : fmt::format("{} (turns about {:.4g}, {:.4g}, {:.4g})", code, after.x(), after.y(), after.z()),
+    const double value = inclined ? c_.parameters[p.inclination] : code;
+    tell(opposed    ? p.reversed
+         : inclined ? p.inclination
+                    : p.direction,
+         opposed ? fmt::format("{}", sign < 0.0 ? 1 : 0)
+                 : fmt::format("{:g} (turns about {:.4g}, {:.4g}, {:.4g})", value, after.x(), after.y(),
+                               after.z()),
          opposed ? fmt::format("{}", sign < 0.0 ? 0 : 1)
                  : fmt::format("an axis that turns about {:.4g}, {:.4g}, {:.4g}", before.x(), before.y(),
                                before.z()));

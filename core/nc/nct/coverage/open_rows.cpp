@@ -21,17 +21,13 @@ constexpr OpenRows kOpen[] = {
      "nct-20.7-tandem nct-20.8-inclined "},
     {"five-axis functions are not built",
      "nct-25.19-151xxx "
-     "nct-25.1-N3206 nct-25.1-N3210 "
-     "nct-25.1-N3219 nct-25.1-N3222 "
-     "nct-25.5-EX "
-     "nct-25.12-EX nct-25.13-G92 "
-     "nct-25.13-G51 nct-25.13-G51.1 nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 "
+     "nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 "
      "nct-25.14-F nct-25.14-G49 nct-25.14-EX nct-25.15-G53.6 nct-25.15-BUF nct-25.16-G43.4P1 "
      "nct-25.16-G43.5P1 nct-25.16-P0 nct-25.16-ARC nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
      "nct-25.17-r nct-25.17-G49 nct-25.18-G5.1Q3 nct-25.18-G5.1Q1 nct-25.18-G5.1Q0 nct-25.18-PAR "
      "nct-25.18-SBK nct-25.19-5061 nct-25.19-151001 "
      "nct-25.19-151101 nct-25.20-BSE nct-25.20-HH nct-25.20-TT nct-25.20-HT nct-25.20-ORD "
-     "nct-25.20-HIRTH nct-25.20-JOG nct-25-UNREACH nct-25-ERR "},
+     "nct-25.20-HIRTH nct-25.20-JOG nct-25-ERR "},
 };
 // clang-format on
 
