@@ -166,13 +166,15 @@ double PosedWay::length() const {
   constexpr double kRelative = 1e-7, kLeast = 1e-7;
   constexpr int kMostHalvings = 14;
   const auto speed = [&](double share) { return movingAt(share).rates.tip.norm(); };
-  // Simpson's rule, halved until it stands.
+  // Simpson's rule, halved until it stands twice: a way of several turns may agree with itself by chance.
+  int stands = 0;
   double ends = speed(0.0) + speed(1.0), evens = 0.0, last = -1.0;
   for (int halvings = 1, n = 2; halvings <= kMostHalvings; ++halvings, n *= 2) {
     double odds = 0.0;
     for (int k = 1; k < n; k += 2) odds += speed(static_cast<double>(k) / n);
     const double now = (ends + 4.0 * odds + 2.0 * evens) / (3.0 * n);
-    if (halvings > 3 && std::abs(now - last) <= kRelative * now + kLeast) return now;
+    stands = halvings > 3 && std::abs(now - last) <= kRelative * now + kLeast ? stands + 1 : 0;
+    if (stands == 2) return now;
     last = now;
     evens += odds;
   }

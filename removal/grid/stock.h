@@ -25,8 +25,6 @@ struct RemovalOptions {
   int threads = 0;             ///< 0: all cores
   double max_memory_gb = 0.0;  ///< refuse above it (exit 3); 0: what the machine has free
   bool watch_all = false;  ///< every touch of the stock is a contact, in feed too (the stock is a fixture)
-  /// The caller has shown that the tool touches nothing in motions that turn its axis: they are left out.
-  bool turns_in_air = false;
   /// Of boxes and cylinders only what lies in here is built, mm: for a stock that is only asked about
   /// touches, by what stays a few cells off the borders. Its surface and volumes are not to be asked for.
   std::optional<Box3> window = {};

@@ -45,7 +45,6 @@ class Remover {
         progress_(progress),
         limit_bytes_(memoryLimit(options)),
         watch_all_(options.watch_all),
-        turns_in_air_(options.turns_in_air),
         spindle_used_(startsSpindle(path)),
         uncut_(impl.uncut),
         blank_(impl.uncut != nullptr ? impl.uncut : impl.field),
@@ -100,7 +99,7 @@ class Remover {
   const Toolpath& path_;
   Progress& progress_;
   double limit_bytes_;
-  bool watch_all_, turns_in_air_, spindle_used_, any_envelope_ = false;
+  bool watch_all_, spindle_used_, any_envelope_ = false;
   std::shared_ptr<const BlankField> uncut_;  ///< as Impl::uncut, before the path
   std::shared_ptr<const BlankField> blank_;  ///< the blank before the path, where it has a closed form
   std::shared_ptr<CutRecord> record_;
@@ -235,10 +234,6 @@ Status Remover::preparePasses() {
           m.source.line, m.tool, m.tool));
     }
     const MotionWay way = wayOf(path_, m);
-    if (turns_in_air_ && way.turns()) {
-      track_.add(way);
-      continue;
-    }
     // A measuring move ends where it touches and takes nothing; a fixture it must not run into.
     if (m.kind == MotionKind::kProbe && !watch_all_) continue;
     for (ToolParts::Part& part : found->second.parts) addPart(id, found->second, part);

@@ -127,7 +127,7 @@ std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) 
   if (out.interpreted.outgrown_at || !out.interpreted.summary.ok()) return std::nullopt;
   addOffsetTools(path, out.part.tools);
   if (!assignTools(path, out.part.tools, source) ||
-      !checkRotaryMotions(path, source, {out.part, &blank_, trial.setup}))
+      !checkRotaryMotions(path, source))
     return std::nullopt;
   return out;
 }

@@ -101,7 +101,7 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
     addPlaceNotes(setup.job, k, bounds, placing, path);
     addOffsetTools(path, setup.job.tools);
     const bool good = setup.interpreted.summary.ok() && assignTools(path, setup.job.tools, *sources[k]) &&
-                      checkRotaryMotions(path, *sources[k], {setup.job, &blank, k});
+                      checkRotaryMotions(path, *sources[k]);
     if (!good) run.alarm = true;
     inSetup(run, setup, [&](std::vector<Finding>& findings) {
       addAlarms(path, findings);

@@ -46,7 +46,6 @@ RemovalOptions removalOptions(const Job& job, double resolution_mm) {
   options.resolution_mm = resolution_mm;
   options.threads = job.simulation.threads;
   options.max_memory_gb = job.simulation.max_memory_gb;
-  options.turns_in_air = true;  // checkRotaryMotions has shown it
   return options;
 }
 

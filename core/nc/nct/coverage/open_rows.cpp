@@ -8,8 +8,8 @@ namespace {
 // clang-format off: ids separated by blanks
 constexpr OpenRows kOpen[] = {
     {"deferred: turning, gear and five-axis functions are not asked of this control yet",
-     "nct-3-G77.7 nct-3-G78.7 nct-3-G79.7 nct-3-G43.4 nct-3-G43.5 nct-3-G43.8 nct-3-G43.9 "
-     "nct-3-G53.6 nct-3-G70.7 nct-3-G71.7 "
+     "nct-3-G77.7 nct-3-G78.7 nct-3-G79.7 nct-3-G43.8 nct-3-G43.9 "
+     "nct-3-G70.7 nct-3-G71.7 "
      "nct-3-G72.7 nct-3-G73.7 nct-3-G74.7 nct-3-G75.7 nct-3-G76.7 nct-3-G80.8 nct-3-G81.8 "
      "nct-18.2-turning "},
     {"turning cycles are not built for this control",
@@ -20,10 +20,7 @@ constexpr OpenRows kOpen[] = {
      "nct-20.2-sync nct-20.2-park nct-20.3-exchange nct-20.4-mirror nct-20.5-head nct-20.6-gantry "
      "nct-20.7-tandem nct-20.8-inclined "},
     {"five-axis functions are not built",
-     "nct-25.19-151xxx "
-     "nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 "
-     "nct-25.14-F nct-25.14-G49 nct-25.14-EX nct-25.15-G53.6 nct-25.15-BUF nct-25.16-G43.4P1 "
-     "nct-25.16-G43.5P1 nct-25.16-P0 nct-25.16-ARC nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
+     "nct-25.19-151xxx nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
      "nct-25.17-r nct-25.17-G49 nct-25.18-G5.1Q3 nct-25.18-G5.1Q1 nct-25.18-G5.1Q0 nct-25.18-PAR "
      "nct-25.18-SBK nct-25.19-5061 nct-25.19-151001 "
      "nct-25.19-151101 nct-25.20-BSE nct-25.20-HH nct-25.20-TT nct-25.20-HT nct-25.20-ORD "
