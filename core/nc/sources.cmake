@@ -1,10 +1,12 @@
 target_sources(proveout_core PRIVATE
   nc/text/alarms.cpp
   nc/kinematics/axes.cpp
+  nc/kinematics/axis_map.cpp
   nc/flow/run_watch.cpp
   nc/limits/block_watch.cpp
   nc/limits/loop_budget.cpp
   nc/control/control_host.cpp
+  nc/control/machine_event.cpp
   nc/registry/controls.cpp
   nc/stages/compensation_stage.cpp
   nc/stages/contour_stage.cpp
@@ -90,6 +92,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/dialect.cpp
   nc/nct/formulas.cpp
   nc/nct/nct_row.cpp
+  nc/iso/axes/axis_events.cpp
   nc/iso/block/auxiliary.cpp
   nc/iso/block/axis_words.cpp
   nc/iso/context/origins.cpp
@@ -113,6 +116,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/cycles/pocket.cpp
   nc/iso/cycles/taps.cpp
   nc/iso/frames/frames.cpp
+  nc/iso/stages/axis_stage.cpp
   nc/iso/stages/transform_stage.cpp
   nc/iso/frames/transforms.cpp
   nc/iso/five_axis/dynamic_zero.cpp
@@ -179,6 +183,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/system_variables/all_banks.cpp
   nc/iso/system_variables/tool_offset_bank.cpp
   nc/iso/model/codes.cpp
+  nc/nct/tables/axes.cpp
   nc/nct/tables/comp.cpp
   nc/nct/tables/cycles.cpp
   nc/nct/tables/data.cpp

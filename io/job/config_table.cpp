@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "core/base/nearest_name.h"
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
-#include "io/job/job.h"
 
 namespace proveout {
 

@@ -10,6 +10,7 @@
 
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
+#include "io/job/machine_events.h"
 #include "io/job/machine_file.h"
 
 namespace proveout {
@@ -277,6 +278,7 @@ void readMachineKeys(ConfigTable& machine, Job& job) {
   } else {
     readAxesAndSpindles(machine, job);
   }
+  readMachineEvents(machine, job.settings);
   machine.refuseOthers();
 }
 

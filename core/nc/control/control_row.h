@@ -31,6 +31,8 @@ struct ControlRow {
   ProcessKind process = ProcessKind::kMilling;
   ManualRows manual = {};
 
+  bool axis_events = false;  ///< it has the events and drives of ControlSettings
+
   /// See interpret() and interpretChannels().
   InterpretSummary (*run)(const ProgramSource&, const ControlSettings&, MotionSink&, Progress*,
                           const ControlHost&) = nullptr;

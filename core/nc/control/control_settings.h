@@ -11,6 +11,7 @@
 
 #include "core/geometry/types.h"
 #include "core/machine/machine_model.h"
+#include "core/nc/control/machine_event.h"
 
 namespace proveout {
 
@@ -125,8 +126,11 @@ struct ControlSettings {
   /// machineOf().
   std::optional<MachineModel> machine;
   std::vector<SpindleSettings> spindles;  ///< none: one without limits, called by S
-  Vec3 start = Vec3(0, 0, 100);           ///< where the tool is at power-on, workpiece frame, mm
-  bool start_by_default = false;          ///< nobody named it: it keeps below the ends of travel
+  std::vector<MachineEvent> events;       ///< what M codes do to axes; see eventFaults()
+  /// Axes with two drives, master first: one axis to programs. The slave is always where its master is.
+  std::vector<AxisPair> gantry, tandem;
+  Vec3 start = Vec3(0, 0, 100);   ///< where the tool is at power-on, workpiece frame, mm
+  bool start_by_default = false;  ///< nobody named it: it keeps below the ends of travel
 
   /// Work offsets G54..G59 in the machine frame, mm, and their basic rotation angles about X, Y, Z (deg).
   std::array<Vec3, 6> work_offsets{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(),

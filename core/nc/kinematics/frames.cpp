@@ -56,6 +56,17 @@ void CoordinateChain::scaleFurtherAxes(const ProgramMap& map, const AxisPoint& s
   }
 }
 
+void CoordinateChain::turnFurtherAxes(const AxisMap& map) {
+  for (int name = 0; name < kMainAxes + more_count_; ++name)
+    against_.set(static_cast<std::size_t>(name), map.signOf(name) < 0.0);
+}
+
+bool CoordinateChain::turnsArcs(int u, int v) const {
+  if (against_.none()) return false;
+  if (u < kMainAxes && v < kMainAxes) return machine_.linear.determinant() < 0.0;
+  return against_.test(static_cast<std::size_t>(u)) != against_.test(static_cast<std::size_t>(v));
+}
+
 AxisPoint CoordinateChain::workOf(const AxisPoint& p) const {
   AxisPoint q = p;
   moveToWork(q);
@@ -75,7 +86,8 @@ void CoordinateChain::moveToWork(AxisPoint& p) const {
 
 void CoordinateChain::moveToMachine(AxisPoint& p) const {
   p.xyz = workToMachine(p.xyz);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) p.more[k] += machine_more_[k];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
+    p.more[k] = senseOf(k) * p.more[k] + machine_more_[k];
 }
 
 AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
@@ -87,7 +99,7 @@ AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
   }
   AxisPoint q(toMachine(p.xyz));
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
-    q.more[k] = p.more[k] * work_factor_[k] + work_more_[k] + machine_more_[k];
+    q.more[k] = senseOf(k) * (p.more[k] * work_factor_[k] + work_more_[k]) + machine_more_[k];
   }
   return q;
 }
@@ -95,13 +107,13 @@ AxisPoint CoordinateChain::machineOf(const AxisPoint& p) const {
 AxisPoint CoordinateChain::programOf(const AxisPoint& machine) const {
   AxisPoint p(toProgram(machine.xyz));
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k) {
-    p.more[k] = (machine.more[k] - machine_more_[k] - work_more_[k]) / work_factor_[k];
+    p.more[k] = (senseOf(k) * (machine.more[k] - machine_more_[k]) - work_more_[k]) / work_factor_[k];
   }
   if (pair_.u < 0) return p;
   AxisPoint work(machine.xyz - machine_.offset);
   if (!machine_moves_only_) work.xyz = machine_.linear.inverse() * work.xyz;
   for (std::size_t k = 0; k < static_cast<std::size_t>(more_count_); ++k)
-    work.more[k] = machine.more[k] - machine_more_[k];
+    work.more[k] = senseOf(k) * (machine.more[k] - machine_more_[k]);
   const Vec2 uv = pair_.linear.inverse() * (pair_.of(work) - pair_.offset);
   p[pair_.u] = uv.x();
   p[pair_.v] = uv.y();
@@ -139,9 +151,29 @@ WorkSystem WorkFrames::system(WorkSystemId id) const {
   return it == extended.end() ? WorkSystem{} : it->second;
 }
 
+namespace {
+
+/// Points by axis as points by name.
+AxisPoint zeroByName(const AxisMap& axes, const AxisPoint& common, const AxisPoint& work) {
+  AxisPoint zero(common.xyz + work.xyz);
+  for (std::size_t k = 0; k < zero.more.size(); ++k) zero.more[k] = common.more[k] + work.more[k];
+  return axes.namesAt(zero);
+}
+
+/// From work to machine where axes are exchanged or reversed: the length lies along the programmed
+/// directions, the zero is a place of the machine.
+FrameStep turnedStep(const AxisMap& axes, const Mat3& basic_turn, const AxisPoint& zero,
+                     const AxisPoint& length) {
+  const Vec3 signs(axes.signOf(0), axes.signOf(1), axes.signOf(2));
+  return {signs.asDiagonal() * basic_turn, zero.xyz + signs.cwiseProduct(length.xyz)};
+}
+
+}  // namespace
+
 CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, const AxisPoint& length,
                                   const SpatialFrames* spatial) const {
   const WorkSystem work = system(active);
+  const AxisPoint zero = axes.named() ? AxisPoint() : zeroByName(axes, common.offset, work.offset);
   const FrameStep transform{map.linear, map.offset};
   const FrameStep local{Mat3::Identity(), shift52.xyz + shift92.xyz};
   const Mat3 basic_turn = basicRotation(work.angles_deg);
@@ -149,6 +181,8 @@ CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, co
   if (spatial != nullptr) {
     to_machine = {
         spatial->tilt, {basic_turn, Vec3::Zero()}, spatial->zero, {Mat3::Identity(), spatial->length}};
+  } else if (!axes.named()) {
+    to_machine = {turnedStep(axes, basic_turn, zero, length)};
   } else {
     to_machine = {{basic_turn, common.offset.xyz + work.offset.xyz + length.xyz}};
   }
@@ -160,7 +194,12 @@ CoordinateChain WorkFrames::chain(const ProgramMap& map, WorkSystemId active, co
         (spatial != nullptr ? spatial->rotary_offset.more[k] : common.offset.more[k] + work.offset.more[k]) +
         length.more[k];
   }
+  if (!axes.named()) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(more_axes); ++k)
+      offset.more[k] = zero.more[k] + axes.signOf(kMainAxes + static_cast<int>(k)) * length.more[k];
+  }
   chain.moveFurtherAxes(more_axes, shift, offset);
+  if (!axes.named()) chain.turnFurtherAxes(axes);
   if (!map.identity) {
     shift.xyz = shift52.xyz + shift92.xyz;
     chain.scaleFurtherAxes(map, shift);

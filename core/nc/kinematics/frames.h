@@ -9,6 +9,7 @@
 
 #include "core/geometry/types.h"
 #include "core/machine/axis_point.h"
+#include "core/nc/kinematics/axis_map.h"
 #include "core/nc/kinematics/program_transforms.h"
 
 namespace proveout::nc {
@@ -46,11 +47,19 @@ class CoordinateChain {
   /// Factors of the further axes between program and work coordinates: mirrored and scaled ones. Where a
   /// rotation takes two axes together, `shift` is the local shift behind it.
   void scaleFurtherAxes(const ProgramMap& map, const AxisPoint& shift);
+  /// The sense of further axes from work to machine coordinates: -1 where they go against their direction.
+  void turnFurtherAxes(const AxisMap& map);
+
+  /// Whether arcs of a plane turn the other way in machine space, about the normal that
+  /// directionToMachine() gives where the plane is one of X, Y and Z.
+  bool turnsArcs(int u, int v) const;
 
   /// Is there more than shifts in it?
   bool turns() const { return turnsMain() || pair_.u >= 0; }
   /// The same of X, Y, Z among themselves.
-  bool turnsMain() const { return !work_moves_only_ || !machine_moves_only_; }
+  bool turnsMain() const {
+    return !work_moves_only_ || !(machine_moves_only_ || machine_.linear.isDiagonal(0.0));
+  }
   /// Turns a direction of work space into machine space.
   Vec3 directionToMachine(const Vec3& d) const { return machine_moves_only_ ? d : Vec3(machine_.linear * d); }
 
@@ -59,11 +68,13 @@ class CoordinateChain {
     if (moves_only) return p + step.offset;
     return step.linear * p + step.offset;
   }
+  double senseOf(std::size_t further) const { return against_.test(kMainAxes + further) ? -1.0 : 1.0; }
   FrameStep work_, machine_;
   bool work_moves_only_ = true, machine_moves_only_ = true;
   ProgramMap::Pair pair_;  ///< two axes that are rotated together, program to work
   int more_count_ = 0;     ///< of the arrays below only so many are set
   std::array<double, kMaxAxes - kMainAxes> work_more_, machine_more_, work_factor_;
+  AxisSet against_;  ///< names whose axis goes against its direction, work to machine
 };
 
 /// Mz(gamma) * My(beta) * Mx(alpha), right-handed, angles (alpha, beta, gamma) in degrees.
@@ -99,6 +110,7 @@ struct WorkFrames {
   AxisPoint shift52;                        ///< G52, work coordinates
   std::array<std::uint32_t, 3> shift_by{};  ///< which word set the shift last, as in WorkSystem
   int more_axes = 0;                        ///< axes of the channel besides X Y Z
+  AxisMap axes;  ///< offsets above are by axis; the chain and `length` of chain() are by name
 
   WorkSystem& system(WorkSystemId id);
   WorkSystem system(WorkSystemId id) const;

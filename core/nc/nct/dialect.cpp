@@ -23,7 +23,7 @@ LexRules lexing() {
 const CodeIndex& nctCodes() {
   static const CodeIndex kIndex({motionTable(), framesTable(), compTable(), cyclesTable(), transformsTable(),
                                  spindleTable(), toolsTable(), measuringTable(), macroTable(), dataTable(),
-                                 rotaryTable(), turningTable(), programTable()});
+                                 rotaryTable(), axesTable(), turningTable(), programTable()});
   return kIndex;
 }
 

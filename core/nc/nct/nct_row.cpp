@@ -93,6 +93,7 @@ const ControlRow& nctRow() {
       .summary = "NCT 2xx/3xx, milling channel",
       .process = ProcessKind::kMilling,
       .manual = {"nct", specification_text::kNct},
+      .axis_events = true,
       .run = run,
       .run_channels = runChannels,
       .coverage = coverage,

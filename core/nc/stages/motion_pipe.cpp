@@ -81,9 +81,11 @@ bool FrameStage::push(PathItem& item) {
       const bool main = item.plane.u < kMainAxes && item.plane.v < kMainAxes;
       item.center = main ? center.xyz : item.plane.of(center);
       if (main) item.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
+      if (chain_.turnsArcs(item.plane.u, item.plane.v)) item.sweep = -item.sweep;
     }
     if (item.feed.join.inside != 0) {
       item.feed.join.normal = chain_.directionToMachine(Vec3::Unit(item.plane.w));
+      if (chain_.turnsArcs(item.plane.u, item.plane.v)) item.feed.join.inside = -item.feed.join.inside;
     }
     chain_.moveToMachine(item.to);
     item.space = PathItem::Space::kMachine;

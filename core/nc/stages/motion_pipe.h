@@ -7,6 +7,7 @@
 //   comp        work     cutter compensation
 //   virtual     work     planes with a virtual axis: to the axes of the machine
 //   frame       work     takes items to machine space (basic rotation, offsets)
+//   axes        machine  exchanged, coupled and parked axes: from names to the axes that move
 //   rapids      machine  rapids that overlap: rounded corners
 //   zones       machine  areas that the axes must not enter
 //   emit        machine  PathEmitter: motions and events of the path; look-ahead of speeds is behind it
@@ -116,11 +117,12 @@ enum class StageSlot : std::uint8_t {
   kComp,
   kVirtual,
   kFrame,
+  kAxes,
   kRapids,
   kZones,
   kEmit
 };
-inline constexpr std::size_t kStageSlots = 9;
+inline constexpr std::size_t kStageSlots = 10;
 
 /// Why stages have to let go what they hold.
 enum class FlushReason : std::uint8_t {

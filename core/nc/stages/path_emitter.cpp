@@ -65,6 +65,16 @@ void PathEmitter::lowerStart(double height) {
   home_.z() = machine_.xyz.z() = std::min(machine_.xyz.z(), height);
 }
 
+void PathEmitter::turnHead(const Vec3& direction, const Vec3& gauge) {
+  MachineModel model = machineOf(settings_, axes_, offsetZero(settings_));
+  model.spindle.direction = direction;
+  model.spindle.gauge = gauge;
+  chain_ = MachineChain(model, origin_);
+  plain_ = more_ == 0 && chain_.isLevel() && chain_.toolAtZero() == Vec3::UnitZ();
+  setTool(tool_);
+  if (tool_ == 0) to_workpiece_ -= alongTool(settings_.unnamed_gauge);
+}
+
 void PathEmitter::setTool(int tool) {
   tool_ = tool;
   const auto gauge = gauges_.find(tool);
@@ -88,18 +98,19 @@ Vec3 PathEmitter::alongTool(const Vec3& gauge) const {
 Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const { return chain_.point(machine, to_workpiece_); }
 
 /// Length that the axes besides X Y Z add to a motion: mm and degrees alike, as the feed counts them.
-double PathEmitter::furtherTravel(const AxisPoint& to) const {
+double PathEmitter::furtherTravel(const AxisPoint& to, const AxisSet& slaves) const {
   double sum = 0.0;
   for (int k = kMainAxes; k < kMainAxes + more_; ++k) {
+    if (slaves.test(static_cast<std::size_t>(k))) continue;
     const double d = to[k] - machine_[k];
     sum += d * d;
   }
   return std::sqrt(sum);
 }
 
-bool PathEmitter::plainArc(const AxisPoint& to, const MachineArc& arc) const {
+bool PathEmitter::plainArc(const AxisPoint& to, const MachineArc& arc, const AxisSet& slaves) const {
   const bool main = arc.plane.u < kMainAxes && arc.plane.v < kMainAxes;
-  return main && furtherTravel(to) < kNoMoveMm && chain_.isLevel() && chain_.atZero(machine_);
+  return main && furtherTravel(to, slaves) < kNoMoveMm && chain_.isLevel() && chain_.atZero(machine_);
 }
 
 double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
@@ -209,7 +220,7 @@ std::optional<PathEmitter::Line> PathEmitter::lineOf(const AxisPoint& to, const 
 
 void PathEmitter::arcTo(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                         const SourceRef& source) {
-  if (!plain_ && !plainArc(to, arc)) return furtherArc(to, arc, style, source);
+  if (!plain_ && !plainArc(to, arc, style.slaves)) return furtherArc(to, arc, style, source);
   ArcGeometry geometry;
   const Vec3 shift = plain_ ? to_workpiece_ : Vec3(toolPoint(machine_) - machine_.xyz);
   geometry.center = arc.center + shift;

@@ -35,6 +35,8 @@ struct FeedStyle {
   float thread_start_deg = 0.0F;     ///< kThread: see Motion
   float thread_pitch_change = 0.0F;  ///< kThread: see Motion
   double paced_mm = 0.0;  ///< of lines: the length that the feed is the speed of; 0: that of all axes
+  AxisSet slaves;  ///< of arcs and in polar planes: axes that carry nothing and whose ways the feed is no
+                   ///< speed of
 };
 
 /// An arc in the machine frame; `center` at the height of the start. In a plane with an axis besides X Y Z
@@ -81,6 +83,11 @@ class PathEmitter {
   const Vec3& home() const { return home_; }
   /// Lowers that to a height at most, machine frame, mm. Before any motion.
   void lowerStart(double height);
+  /// An axis besides X Y Z that carries nothing stands there at power-on, mm or deg. Before any motion.
+  void placeIdle(int axis, double position) { machine_[axis] = position; }
+  /// The tool stands in another head from here on: unit direction from tip to holder, and the gauge point
+  /// seen from the control point, mm, both with all axes at 0.
+  void turnHead(const Vec3& direction, const Vec3& gauge);
 
   /// From stand to stand; with a `speed` (mm/min along the way of all axes) as a part of a longer way, whose
   /// speeds are known.
@@ -162,9 +169,9 @@ class PathEmitter {
   double polarMinutes(const PolarPlane& plane, const PolarLeg& leg, const FeedStyle& style,
                       double others) const;
   std::optional<ArcGeometry> polarCircle(const PolarPlane& plane, const PolarArc& arc) const;
-  bool plainArc(const AxisPoint& to, const MachineArc& arc) const;
+  bool plainArc(const AxisPoint& to, const MachineArc& arc, const AxisSet& slaves) const;
   void checkMachineTravel(const AxisPoint& from, const SourceRef& source);
-  double furtherTravel(const AxisPoint& to) const;
+  double furtherTravel(const AxisPoint& to, const AxisSet& slaves = {}) const;
   double furtherRapidTime(const AxisPoint& to) const;
   const AxisSweep* sweepTo(const AxisPoint& to);
   void checkFurtherTravel(const AxisPoint& to, const SourceRef& source);

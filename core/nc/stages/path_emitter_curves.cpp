@@ -175,7 +175,8 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
   const double r1 = main ? frame.radius_end : (to_uv - arc.center.head<2>()).norm();
   double rise2 = main ? frame.rise * frame.rise : 0.0;  // of all axes outside the circle
   for (int k = main ? kMainAxes : 0; k < axes_.count(); ++k) {
-    if (k != plane.u && k != plane.v) rise2 += (to[k] - start[k]) * (to[k] - start[k]);
+    const bool slave = style.slaves.test(static_cast<std::size_t>(k));
+    if (k != plane.u && k != plane.v && !slave) rise2 += (to[k] - start[k]) * (to[k] - start[k]);
   }
   const double paced = pacedLength(style, r0, r1, arc.sweep_rad, std::sqrt(rise2));
   Motion m;
@@ -252,7 +253,8 @@ void PathEmitter::polarTo(const AxisPoint& to, const PolarPlane& plane, const st
   for (int k = 0; k < axes_.count(); ++k) {
     const double d = std::abs(to[k] - start[k]);
     if (k != plane.linear) slowest = std::max(slowest, d / axes_.at(k).rapid);
-    if (k != plane.linear && k != plane.rotary) others2 += d * d;
+    const bool slave = style != nullptr && style->slaves.test(static_cast<std::size_t>(k));
+    if (k != plane.linear && k != plane.rotary && !slave) others2 += d * d;
   }
   if (!(leg.length() + others2 > 1e-9)) return;
   Motion m;

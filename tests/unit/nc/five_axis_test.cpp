@@ -370,15 +370,14 @@ TEST(Machines, OfThreeAxesMoveAsTheyAreBuilt) {
   const Outcome tool = runOf("G0 X1 Y2 Z3\nG1 X5 F100", settingsOf(lying, Vec3::Zero()));
   expectTip(tool, 2, {5, 102, 3});
   EXPECT_EQ(endOf(tool, 2).axis, -Vec3::UnitY());
+  // Beside X, Y and Z at right angles.
   MachineModel leaning = test::plainMachine();
-  leaning.axes[1].direction = Vec3(0, 0.6, 0.8);
-  const Outcome slide = runOf("G0 X1 Y10 Z3\nG17 G3 X1 Y10 I-1 F100", settingsOf(leaning, Vec3::Zero()));
+  leaning.axes.push_back(test::linearAxis("U", 1, 2));
+  leaning.axes[3].direction = Vec3(0, 0.6, 0.8);
+  leaning.spindle.on = 3;
+  const Outcome slide = runOf("G0 X1 U10 Z3\nG1 X5 U20 F100", settingsOf(leaning, Vec3::Zero()));
   expectTip(slide, 1, {1, 6, 3 + 8 - 100});
-  double highest = -1e9;
-  for (const Motion& m : slide.path.motions) {
-    if (m.source.line == 2) highest = std::max(highest, m.to.z());
-  }
-  EXPECT_NEAR(highest, 3 + 8.8 - 100, 1e-3);
+  expectTip(slide, 2, {5, 12, 3 + 16 - 100});
 }
 
 /// What a warning of this code says; empty: there is none.

@@ -94,6 +94,16 @@ bool polarTarget(IsoContext& c, BlockPlan& plan, const PolarWord& radius, const 
 
 }  // namespace
 
+bool mayMove(IsoContext& c, const Word& w, int axis) {
+  if (!c.axisMap().isSlave(axis)) return true;
+  const AxisFollow* follow = c.axisMap().followOf(c.axisMap().axisOf(axis));
+  return c.failWord(
+      "slave-axis",
+      fmt::format("axis {} follows {}: only the master may be programmed{}", c.axes.at(axis).name,
+                  c.axes.at(follow->master).name, follow->always ? "" : " until the coupling is released"),
+      w);
+}
+
 double rotaryTravel(const IsoContext& c, int axis, double from, double value, bool step) {
   const RolloverRule rule = rolloverRule(c, axis);
   return step ? rolloverStep(value, rule) : rolloverTravel(from, value, rule);
@@ -118,6 +128,7 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
     const auto axis = static_cast<std::size_t>(word.axis);
     if (plan.motion.named[axis])
       return c.alarm(SharedAlarm::kIllegalAddress, w, "the axis is given twice in this block");
+    if (!mayMove(c, w, word.axis)) return false;
     plan.motion.named.set(axis);
     if (polar && (word.axis == modal.plane_u || word.axis == modal.plane_v)) {
       (word.axis == modal.plane_u ? radius : angle) = {&w, word};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/nc/iso/axes/axis_events.h"
 #include "core/nc/iso/block/auxiliary.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
@@ -136,7 +137,7 @@ bool takeM(IsoContext& c, BlockPlan& plan, const Word& w) {
   if (found.waits) return planWait(c, plan, w);
   if (!goesTogether(c, plan, w, number, found)) return false;
   plan.flush = plan.flush || found.ends_look_ahead;
-  const bool known = found.interrupt != InterruptSwitch::kNone || found.of_place ||
+  const bool known = found.interrupt != InterruptSwitch::kNone || found.of_place || found.event != nullptr ||
                      found.ofSpindle(c.registers.spindles.programmed);
   if (found.own == nullptr && !known) {
     c.warnOnce(
@@ -466,7 +467,7 @@ bool planBlock(IsoContext& c, BlockPlan& plan) {
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
          planOffsetsHD(c, plan) && planTiltState(c, plan) && planWorkSystem(c, plan) &&
          planTransformsOff(c, plan) && planLength(c, plan) && planComp(c, plan) && govern(c, plan) &&
-         followZero(c, plan) && checkWords(c, plan);
+         followZero(c, plan) && checkAxisModes(c, plan) && checkWords(c, plan);
 }
 
 }  // namespace proveout::nc

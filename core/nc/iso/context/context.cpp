@@ -35,6 +35,7 @@ IsoStages::IsoStages(IsoContext& c)
       comp(c.pipe, c.parameters, c.alarms, c),
       virtual_plane(c.pipe, c.chain, c.registers.frames, c.axes),
       frame(c.chain),
+      axes(c.registers.frames.axes, c.emitter, c.axes, c.settings),
       rapid(c.emitter, c.settings, c.axes),
       zone({c.settings, c.axes, c.parameters, c.registers.program_zone, c.calls, c.emitter, c.pipe, c.alarms,
             c}),
@@ -131,7 +132,7 @@ bool IsoContext::flushPipe() {
 
 void IsoContext::recover() {
   pipe.clear();
-  settle(emitter.machine());
+  settle(standing());
 }
 
 void IsoContext::enteredCall() {

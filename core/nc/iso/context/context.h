@@ -36,6 +36,7 @@
 #include "core/nc/iso/model/tilt_plan.h"
 #include "core/nc/iso/model/tool_tables.h"
 #include "core/nc/iso/parameters/parameters.h"
+#include "core/nc/iso/stages/axis_stage.h"
 #include "core/nc/iso/stages/comp_stage.h"
 #include "core/nc/iso/stages/contour_alarms.h"
 #include "core/nc/iso/stages/stage_recovery.h"
@@ -56,8 +57,8 @@ namespace proveout::nc {
 
 /// Where the last measuring move stopped.
 struct SkipPosition {
-  /// In workpiece coordinates and in those of a tilted plane (first index 1); with the length offset included and
-  /// without it (second index 1).
+  /// In workpiece coordinates and in those of a tilted plane (first index 1); with the length offset included
+  /// and without it (second index 1).
   std::array<std::array<AxisPoint, 2>, 2> at;
   AxisPoint machine;      ///< machine coordinates
   AxisPoint machine_tip;  ///< without the length offset
@@ -71,6 +72,7 @@ struct IsoRegisters {
   ToolTables& tools() const { return *shared_tools; }  ///< common to the channels of a control
   ToolInput tool_input;
   Spindles spindles;
+  HeadPosition head = HeadPosition::kVertical;
   double tool_time_s = 0.0;  ///< cutting time up to which the life of the tool in the spindle is counted
   SkipPosition skip;
   std::optional<Zone> program_zone;        ///< of G22
@@ -139,6 +141,7 @@ struct IsoStages {
   CompStage comp;
   VirtualStage virtual_plane;
   FrameStage frame;
+  AxisStage axes;
   RapidOverlapStage rapid;
   ZoneStage zone;
   EmitStage emit;
@@ -215,7 +218,12 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   /// The same with the rotary axes of `at`, machine coordinates.
   CoordinateChain chainOf(const IsoState& s, const AxisPoint& at) const;
 
-  /// The machine stands at `at` by other means than a programmed motion.
+  /// Which axes move by which names.
+  const AxisMap& axisMap() const { return registers.frames.axes; }
+  /// Where the machine is, by the names of its axes (see AxisMap).
+  AxisPoint standing() const { return axisMap().namesAt(emitter.machine()); }
+
+  /// The machine stands at `at`, by name, by other means than a programmed motion.
   void settle(const AxisPoint& at);
   /// Lets go what the pipe holds; what comes then starts anew from where the machine is. False: an error was
   /// reported.

@@ -27,6 +27,8 @@ enum class WordsAre { kModal, kRectangular, kReference };
 /// End point of the axis words, in the plan's chain, mm; marks the named axes in plan.motion.named. False: an
 /// axis is given twice, or cannot go there.
 bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words = WordsAre::kModal);
+/// Whether the program may move the axis of that name: it is no slave (manual 20.2). False: reported.
+bool mayMove(IsoContext& c, const Word& w, int axis);
 /// Way of a rotary axis to the absolute position `value`, or by the step `value`: turns count as N0107 says.
 double rotaryTravel(const IsoContext& c, int axis, double from, double value, bool step);
 /// Position of an axis, mm or degrees, as the control tells it: rotary axes with N0107.REN within one turn, 0

@@ -105,6 +105,13 @@ void visitAll(const CodeIndex& codes, const ControlSettings& settings, const Iso
   visitFunctions(parameters, visit);
   visitInterrupts(parameters, visit);
   visitSpindles(parameters, settings.spindles, visit);
+  for (const MachineEvent& event : settings.events)
+    visitAbove0(event.code, event.code, [&](MRange range) {
+      visit(range, [&event](MFunction& f) {
+        f.event = &event;
+        f.ends_look_ahead = true;
+      });
+    });
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct MFunction {
   bool ends_look_ahead = false;  ///< one of the parameters BUF: blocks are read only when it is done
   bool of_place = false;         ///< M62 or another one (N2924): T names a place of the magazine
   InterruptSwitch interrupt = InterruptSwitch::kNone;
+  const MachineEvent* event = nullptr;                      ///< of the settings: what it does to axes
   bool of_spindles = false;                                 ///< further spindle code
   std::bitset<kSpindleNames> closes_loop;                   ///< of the spindle that is programmed
   std::bitset<kSpindleNames> indexes;                       ///< turns it by an angle

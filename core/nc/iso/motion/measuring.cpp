@@ -99,12 +99,12 @@ bool ask(IsoContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
   }
   if (!c.stages.rapid.flush(FlushReason::kBuffer)) return false;  // the tool stands where it measures from
   c.emitter.time().flush();  // everything before is part of the stock that answers
-  const auto line = c.emitter.lineOf(to, c.here());
+  const auto line = c.emitter.lineOf(c.axisMap().axesAt(to), c.here());
   if (!line) return c.fail("probe-turn", "a measuring move that turns a table is not simulated");
   const auto contact =
       c.host.probe->firstContact(line->motion, nullptr, line->has_axis ? &line->axis : nullptr);
   if (!contact) return c.fail("probe", contact.error().message);
-  if (*contact) stop = between(c, c.emitter.machine(), to, std::clamp(**contact, 0.0, 1.0));
+  if (*contact) stop = between(c, c.standing(), to, std::clamp(**contact, 0.0, 1.0));
   return true;
 }
 
@@ -230,6 +230,7 @@ bool planToolLength(IsoContext& c, BlockPlan& plan) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "the gauge of G37 is always absolute");
+    if (!mayMove(c, w, word.axis)) return false;
     plan.motion.named.set(static_cast<std::size_t>(word.axis));
     move.axis = word.axis;
     move.gauge[word.axis] = axisValue(c, plan, word, w);

@@ -303,11 +303,12 @@ bool planMachineMove(IsoContext& c, BlockPlan& plan) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "G53 is always absolute");
+    if (!mayMove(c, w, word.axis)) return false;
     const double value = axisValue(c, plan, word, w);
     double& to = move.to[word.axis];
     const bool rotary = word.axis >= kMainAxes && c.axes.at(word.axis).rotary();
     to = rotary ? to + rotaryTravel(c, word.axis, to, value, false) : value;
-    if (!known && word.axis == 2) to = std::max(to, homeOf(c).z());
+    if (!known && c.axisMap().axisOf(word.axis) == 2) to = std::max(to, homeOf(c).z());
   }
   warnOfMachineZero(c, known);
   plan.perform = performMachineMove;
@@ -342,6 +343,7 @@ bool planReference(IsoContext& c, BlockPlan& plan) {
             "by reference_points under [machine]",
             point));
   }
+  reference = c.axisMap().namesAt(reference);
   // Machine position after the intermediate point, then the named axes at the reference point.
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.has_via = true;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/nc/iso/axes/axis_events.h"
 #include "core/nc/iso/block/auxiliary.h"
 #include "core/nc/iso/context/origins.h"
 #include "core/nc/iso/context/sends.h"
@@ -48,6 +49,7 @@ bool perform(IsoContext& c, BlockPlan& plan) {
   plan.next.tool = c.state.tool;
   plan.next.tool_row = c.state.tool_row;
   c.state = plan.next;
+  followMasters(c);
   return performFunctions(c, plan, MPhase::kAfter) &&
          (!plan.tool_shape || c.state.tool == 0 || sendToolShape(c)) &&
          performFunctions(c, plan, MPhase::kStop);
@@ -59,6 +61,7 @@ bool function(IsoContext& c, const BlockPlan& plan, const MFunction& found, int 
   bool handled = false;
   if (!spindleFunction(c, plan, found, m, handled)) return false;
   if (handled) return true;
+  if (found.event != nullptr && !performAxisEvent(c, *found.event)) return false;
   switch (m) {
     case mcode::kToolChange:
       if (plan.next.next_tool >= 0) return sendToolChange(c, plan.next.next_tool, plan.next.next_row);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/iso/axes/axis_events.h"
 #include "core/nc/iso/block/auxiliary.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
@@ -82,13 +83,15 @@ bool IsoControl::start() {
   if (const std::string bad = checkSpindles(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
   if (!checkAuxiliary(c) || !checkWaitCodes(c)) return false;
   if (const std::string bad = checkRangeB(settings, c.axes); !bad.empty()) return c.fail("settings", bad);
-  if (!takeMachineData(c)) return false;
+  if (!takeMachineData(c) || !checkMachineAxes(c)) return false;
+  levelDrives(c);
   powerOn(c);
   configureFeeds(c);
   if (!c.stages.zone.configure()) return false;
   if (settings.start_by_default) {
     c.emitter.lowerStart(c.stages.zone.ceiling(2));
-    c.settle(c.emitter.machine());
+    levelDrives(c);
+    c.settle(c.standing());
   }
   return loadMain();
 }

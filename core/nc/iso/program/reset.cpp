@@ -94,7 +94,7 @@ void powerOn(IsoContext& c) {
   resetSpindles(c);
   c.map = ProgramMap();
   c.chain = c.chainOf(c.state);
-  c.machine = c.emitter.machine();
+  c.machine = c.standing();
   c.position = c.chain.programOf(c.machine);
   DataInForce data;
   data.tool = c.state.tool;
@@ -126,7 +126,7 @@ void resetAtEnd(IsoContext& c) {
   c.pipe.clear();
   c.map = programMap(s.transforms, c.axes);
   c.chain = c.chainOf(s);
-  c.machine = c.emitter.machine();
+  c.machine = c.standing();
   c.position = c.chain.programOf(c.machine);
 }
 

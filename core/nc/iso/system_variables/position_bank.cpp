@@ -57,14 +57,14 @@ CoordinateChain chainOf(const IsoContext& c, const Shown& shown) {
 }
 
 AxisPoint standing(const IsoContext& c) {
-  return c.state.compOn() || c.stages.virtual_plane.linked() ? c.emitter.machine() : c.machine;
+  return c.state.compOn() || c.stages.virtual_plane.linked() ? c.standing() : c.machine;
 }
 
 /// Where the machine is, in program coordinates; during G12.1 and G7.1 those of the plane.
 AxisPoint present(const IsoContext& c, const Shown& shown) {
   const AxisPoint machine = standing(c);
   return chainOf(c, shown).programOf(c.stages.virtual_plane.linked() ? c.stages.virtual_plane.shown(machine)
-                                                                   : machine);
+                                                                     : machine);
 }
 
 /// What one unit of a value tells. In the plane of G12.1 and G7.1 the rotary axis counts as its words do.
@@ -105,7 +105,8 @@ AxisPoint pointOf(const IsoContext& c, Reading reading) {
 void recordSkip(IsoContext& c, const AxisPoint& machine) {
   SkipPosition& skip = c.registers.skip;
   skip.machine = skip.machine_tip = machine;
-  for (int axis = 0; axis < c.axes.count(); ++axis) skip.machine_tip[axis] -= c.state.length[axis];
+  for (int axis = 0; axis < c.axes.count(); ++axis)
+    skip.machine_tip[axis] -= c.axisMap().signOf(axis) * c.state.length[axis];
   for (const bool tilted : {false, true}) {
     for (const bool tip : {false, true})
       skip.at[tilted ? 1 : 0][tip ? 1 : 0] = chainOf(c, {tip, tilted}).programOf(machine);

@@ -55,7 +55,7 @@ bool goToToolChange(IsoContext& c) {
   if (way.empty()) return true;
   c.origins.clear(unsaidBehind(c.settings.tool_change));
   for (const AxisPoint& to : way) {
-    if (!sendMachineRapid(c, to)) return false;
+    if (!sendMachineRapid(c, c.axisMap().namesAt(to))) return false;
   }
   if (c.stages.virtual_plane.linked()) {
     c.settle(way.back());
@@ -63,9 +63,10 @@ bool goToToolChange(IsoContext& c) {
     // Beside cutter compensation the programmed point is not the machine's: axes that stayed keep it.
     AxisPoint programmed = c.machine;
     const ToolChangePlace& place = c.settings.tool_change;
-    programmed[2] = way.back()[2];
-    if (place.x) programmed[0] = *place.x;
-    if (place.y) programmed[1] = *place.y;
+    const auto of = [&](int axis) -> double& { return programmed[c.axisMap().nameOf(axis)]; };
+    of(2) = way.back()[2];
+    if (place.x) of(0) = *place.x;
+    if (place.y) of(1) = *place.y;
     c.settle(programmed);
   }
   c.rebasePipe();

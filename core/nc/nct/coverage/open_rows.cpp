@@ -15,10 +15,8 @@ constexpr OpenRows kOpen[] = {
     {"turning cycles are not built for this control",
      "nct-19.1.1-G77.7 nct-19.1.2-G78.7 nct-19.1.3-G79.7 nct-19.2.1-G71.7 nct-19.2.2-G72.7 "
      "nct-19.2.3-G73.7 nct-19.2.4-G70.7 nct-19.2.5-G74.7 nct-19.2.6-G75.7 nct-19.2.7-G76.7 "},
-    {"electronic gear, synchronous and exchanged axes are not built",
-     "nct-20.1-G81.8 nct-20.1-G80.8 nct-20.1.1-FRS nct-20.1.2-R1R2 nct-20.1.3-QP nct-20.1.4-retract "
-     "nct-20.2-sync nct-20.2-park nct-20.3-exchange nct-20.4-mirror nct-20.5-head nct-20.6-gantry "
-     "nct-20.7-tandem nct-20.8-inclined "},
+    {"the electronic gear is not built",
+     "nct-20.1-G81.8 nct-20.1-G80.8 nct-20.1.1-FRS nct-20.1.2-R1R2 nct-20.1.3-QP nct-20.1.4-retract "},
     {"five-axis functions are not built",
      "nct-25.19-151xxx nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
      "nct-25.17-r nct-25.17-G49 nct-25.18-G5.1Q3 nct-25.18-G5.1Q1 nct-25.18-G5.1Q0 nct-25.18-PAR "

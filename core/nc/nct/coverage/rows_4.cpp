@@ -1,4 +1,5 @@
-// Rows of the control's manual: measuring, working areas, variables. In the order of the rows' list.
+// Rows of the control's manual: axes tied together, measuring, working areas, variables. In the order of the
+// rows' list.
 #include "core/nc/nct/coverage/rows.h"
 
 namespace proveout::nc {
@@ -8,6 +9,21 @@ using namespace coverage_rows;
 
 // clang-format off: one row a line
 constexpr auto kRows4 = std::to_array<CoverageId>({
+    {"nct-20.2-sync", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.2-park", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.2-MSY", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.2-CHAIN", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.2-WAIT", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.2-SLAVE", kReject, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.3-exchange", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.3-MMI", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.3-INHERIT", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.4-mirror", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.4-G53", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.5-head", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.6-gantry", kHost, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.7-tandem", kHost, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.8-inclined", kReject, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-21.1-G31", kSim, kDone, "good/skip_contact_g91.nc"},
     {"nct-21.2-G31P98", kSim, kDone, "good/skip_torque.nc"},
     {"nct-21.3-G37", kSim, kDone, "good/tool_length.nc"},

@@ -16,6 +16,7 @@ CodeTable measuringTable();
 CodeTable macroTable();
 CodeTable dataTable();
 CodeTable rotaryTable();
+CodeTable axesTable();
 CodeTable turningTable();
 CodeTable programTable();
 

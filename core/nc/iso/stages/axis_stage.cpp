@@ -1,0 +1,165 @@
+#include "core/nc/iso/stages/axis_stage.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/services/virtual_plane.h"
+
+namespace proveout::nc {
+namespace {
+
+bool isMainPlane(const WorkPlane& plane) { return plane.u < kMainAxes && plane.v < kMainAxes; }
+
+bool carriesNothing(const AxisInfo& axis, const ControlSettings& settings) {
+  const int k = settings.machine ? settings.machine->find(axis.name) : -1;
+  if (k >= 0) return settings.machine->axes[static_cast<std::size_t>(k)].side == AxisSide::kNothing;
+  return axis.rotary() ? !axis.turns : axis.parallel_to < 0;
+}
+
+AxisPoint partOfWay(const AxisPoint& a, const AxisPoint& b, double t) {
+  AxisPoint p = b;
+  for (int k = 0; t < 1.0 && k < kMaxAxes; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
+  return p;
+}
+
+/// An arc of machine space, by name.
+struct NamedArc {
+  AxisPoint from, to;
+  WorkPlane plane;
+  bool main = true;
+  ArcGeometry xyz;  ///< of the main axes
+  ArcFrame frame;
+  Vec2 center = Vec2::Zero(), from_uv, to_uv;
+  double sweep = 0.0;
+
+  NamedArc(const PathItem& item, const AxisPoint& start, const AxisPoint& end)
+      : from(start), to(end), plane(item.plane), main(isMainPlane(item.plane)), sweep(item.sweep) {
+    from_uv = Vec2(from[plane.u], from[plane.v]);
+    to_uv = Vec2(to[plane.u], to[plane.v]);
+    center = item.center.head<2>();
+    if (!main) return;
+    xyz.center = item.center;
+    xyz.normal = item.normal;
+    xyz.sweep_rad = item.sweep;
+    frame = arcFrame(from.xyz, to.xyz, xyz);
+  }
+  AxisPoint at(double t) const {
+    AxisPoint p = partOfWay(from, to, t);
+    if (t >= 1.0) return p;
+    if (main) {
+      p.xyz = arcPoint(frame, xyz, t);
+    } else {
+      const Vec2 uv = pointOfArc(from_uv, to_uv, center, sweep, t);
+      p[plane.u] = uv.x();
+      p[plane.v] = uv.y();
+    }
+    return p;
+  }
+  /// As a curve of space, to divide it.
+  Vec3 shapeAt(double t) const {
+    const AxisPoint p = at(t);
+    return main ? p.xyz : Vec3(p[plane.u], p[plane.v], 0.0);
+  }
+  /// The length that the feed is the speed of; `rise`: of all axes outside the circle.
+  double paced(const FeedStyle& style, double rise) const {
+    const double r0 = main ? frame.radius_start : (from_uv - center).norm();
+    const double r1 = main ? frame.radius_end : (to_uv - center).norm();
+    if (style.along == FeedStyle::Along::kPlane) return arcLength(r0, r1, sweep, 0.0);
+    if (style.along == FeedStyle::Along::kStartRadius && r0 > 0.0) return r0 * std::abs(sweep);
+    return arcLength(r0, r1, sweep, rise);
+  }
+};
+
+}  // namespace
+
+AxisStage::AxisStage(const AxisMap& map, const PathEmitter& emitter, const AxisTable& axes,
+                     const ControlSettings& settings)
+    : PathStage(StageSlot::kAxes), map_(map), emitter_(emitter), axes_(axes) {
+  for (int k = kMainAxes; k < axes.count(); ++k)
+    idle_.set(static_cast<std::size_t>(k), carriesNothing(axes.at(k), settings));
+}
+
+bool AxisStage::push(PathItem& item) {
+  if (item.function() || item.space != PathItem::Space::kMachine) return pass(item);
+  const AxisPoint from = last_ ? *last_ : map_.namesAt(emitter_.machine());
+  const AxisPoint to = map_.followed(item.to);
+  last_ = to;
+  if (item.kind != PathItem::Kind::kArc) return pushLine(item, from, to);
+  if (!keepsArc(item)) return pushChords(item, from, to);
+  item.to = map_.axesAt(to);
+  putOnAxes(item);
+  return pass(item);
+}
+
+/// What F is the speed of, without slaves.
+double AxisStage::programmedLength(const AxisPoint& from, const AxisPoint& to) const {
+  double sum = 0.0;
+  for (int name = 0; name < axes_.count(); ++name) {
+    const double d = map_.isSlave(name) ? 0.0 : to[name] - from[name];
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+bool AxisStage::pushLine(PathItem& item, const AxisPoint& from, const AxisPoint& to) {
+  const bool counts = map_.slaves().any() || map_.parked().any();
+  if (counts && !item.rapid && item.feed.paced_mm == 0.0) item.feed.paced_mm = programmedLength(from, to);
+  item.to = map_.axesAt(to);
+  putOnAxes(item);
+  return pass(item);
+}
+
+/// Whether the axes that move something go along an arc too.
+bool AxisStage::keepsArc(const PathItem& item) const {
+  const AxisSet moving = ~idle_;
+  if ((map_.slaves() & moving).any() || (map_.parked() & moving).any()) return false;
+  if (!map_.exchanged()) return true;
+  bool stays = isMainPlane(item.plane);
+  for (int name = 0; name < kMainAxes; ++name) stays = stays && map_.axisOf(name) < kMainAxes;
+  return stays;
+}
+
+/// The planes of the item under the axes' own names, and slaves that its feed leaves out.
+void AxisStage::putOnAxes(PathItem& item) const {
+  item.feed.slaves = map_.slaves();
+  if (!map_.exchanged()) return;
+  Mat3 turn = Mat3::Zero();
+  for (int name = 0; name < kMainAxes; ++name) {
+    if (map_.axisOf(name) >= kMainAxes) return;  // no arc comes here, and no corner has an inside
+    turn(map_.axisOf(name), name) = 1.0;
+  }
+  const double sense = turn.determinant() < 0.0 ? -1.0 : 1.0;
+  item.feed.join.normal = turn * item.feed.join.normal;
+  item.feed.join.inside *= static_cast<int>(sense);
+  if (item.kind != PathItem::Kind::kArc) return;
+  item.center = turn * item.center;
+  item.normal = turn * item.normal;
+  item.sweep *= sense;
+  item.plane = WorkPlane(map_.axisOf(item.plane.u), map_.axisOf(item.plane.v), map_.axisOf(item.plane.w));
+}
+
+bool AxisStage::pushChords(const PathItem& item, const AxisPoint& from, const AxisPoint& to) {
+  const NamedArc arc(item, from, to);
+  double rise2 = arc.main ? arc.frame.rise * arc.frame.rise : 0.0;
+  for (int name = arc.main ? kMainAxes : 0; name < axes_.count(); ++name) {
+    const bool counts = name != arc.plane.u && name != arc.plane.v && !map_.isSlave(name);
+    if (counts) rise2 += (to[name] - from[name]) * (to[name] - from[name]);
+  }
+  const double paced = arc.paced(item.feed, std::sqrt(rise2));
+  double done = 0.0;
+  bool good = true;
+  const auto chord = [&](double t) {
+    PathItem line = item.copyMotion();
+    line.kind = PathItem::Kind::kLine;
+    line.feed.paced_mm = paced * (t - done);
+    line.to = map_.axesAt(arc.at(t));
+    putOnAxes(line);
+    good = good && pass(line);
+    done = t;
+  };
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(item.sweep) / kCurvePieceRad)));
+  divideCurve([&](double t) { return arc.shapeAt(t); }, pieces, kCurveChordMm, chord);
+  return good;
+}
+
+}  // namespace proveout::nc
