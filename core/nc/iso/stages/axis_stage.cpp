@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/nc/services/virtual_plane.h"
 
@@ -84,6 +85,11 @@ bool AxisStage::push(PathItem& item) {
   const AxisPoint from = last_ ? *last_ : map_.namesAt(emitter_.machine());
   const AxisPoint to = map_.followed(item.to);
   last_ = to;
+  if (item.pose) {  // slaves and parked axes along the way, too
+    item.pose->at = [this, at = std::move(item.pose->at)](double share) {
+      return map_.axesAt(map_.followed(at(share)));
+    };
+  }
   if (item.kind != PathItem::Kind::kArc) return pushLine(item, from, to);
   if (!keepsArc(item)) return pushChords(item, from, to);
   item.to = map_.axesAt(to);
