@@ -125,16 +125,22 @@ void PathEmitter::sendTurned(const Motion& motion, const AxisPoint& to) {
   const AxisPoint start = machine_;
   const MachineCurve at = [&start, &to](double t) { return t >= 1.0 ? to : between(start, to, t); };
   const auto upright = [&](double t) { return chain_.toolAxis(at(t)) == Vec3::UnitZ(); };
-  if (!upright(0.0) || !upright(0.618)) {
-    time_.flush();  // this motion has its own time
-    return sendPosed(motion, to, poseOf(start, to));
-  }
+  const bool stands = upright(0.0) && upright(0.618);
   ArcGeometry arc;
   const MachineChain::Turn turn = chain_.onlyTurn(start, to);
-  if (turn.axis < 0) return sendCurve(motion, at, nullptr);
+  const auto byAxes = [&] {
+    time_.flush();  // this motion has its own time
+    sendPosed(motion, to, poseOf(start, to));
+  };
+  if (turn.axis < 0) return stands ? sendCurve(motion, at, nullptr) : byAxes();
   arc.normal = turn.direction;
   arc.center = turn.point + arc.normal * arc.normal.dot(toolPoint(start) - turn.point);
   arc.sweep_rad = degToRad(turn.sign * (to[turn.axis] - start[turn.axis]));
+  // A direction at right angles to the axis turns in one plane; others go along cones.
+  constexpr double kRight = 1e-12;
+  const bool in_plane = std::abs(turn.direction.dot(chain_.toolAxis(start))) < kRight &&
+                        shapeOf(at, &arc).kind != Shape::Kind::kOther;
+  if (!stands && !in_plane) return byAxes();
   sendCurve(motion, at, &arc);
 }
 
