@@ -161,10 +161,10 @@ const char* const kGroove =
 
 // The manual's groove without offset: corners, and the arcs about the centres that it gives.
 TEST(Axes, ChordsCountAgainstTheBlockLimit) {
-  ControlSettings settings = machineWith({rotary("A", 4)});
+  ControlSettings settings = machineWith({rotary("C", 4)});
   settings.block_limit = 5000;
   const Outcome out =
-      runOf("G0 Y40 Z60\nWHILE[1 EQ 1] DO1\nG1 X10 Y10 A3600 F10000\nX0 Y40 A0\nEND1\nM30\n", settings);
+      runOf("G0 Y40 Z60\nWHILE[1 EQ 1] DO1\nG1 X10 Y10 C3600 F10000\nX0 Y40 C0\nEND1\nM30\n", settings);
   EXPECT_EQ(out.summary.end, ProgramEnd::kBlockLimit);
   EXPECT_GT(out.summary.motions, 5000u);
   EXPECT_LT(out.summary.blocks, 10u);

@@ -51,7 +51,7 @@ TEST(Templates, NamesAreAnyCharactersAndTheirCaseCounts) {
   EXPECT_EQ(fillText("X[d]Z[D]A[Ø загот.]\n", {{"d", "1"}, {"D", "2"}, {"Ø загот.", "-3.5"}}).text,
             "X1Z2A-3.5\n");
   EXPECT_EQ(fillText("X[d]\n", {{"D", "1"}}).errors,
-            "a.tmpl: error[template]: a.tmpl has no parameter [D]; it has [d]\n");
+            "a.tmpl: error[template]: a.tmpl has no parameter [D]; do you mean [d]?\n");
 }
 
 TEST(Templates, NumberTextStandsAsItWasEntered) {
