@@ -39,4 +39,12 @@ bool operator==(const AxisPoint& a, const Eigen::MatrixBase<Derived>& b) {
   return a == AxisPoint(b);
 }
 
+/// All axes at a share of the straight way from `a` to `b`; `b` itself from 1 on.
+inline AxisPoint between(const AxisPoint& a, const AxisPoint& b, double share) {
+  if (share >= 1.0) return b;
+  AxisPoint p;
+  for (int k = 0; k < kMaxAxes; ++k) p[k] = a[k] + (b[k] - a[k]) * share;
+  return p;
+}
+
 }  // namespace proveout

@@ -26,6 +26,7 @@ target_sources(proveout_core PRIVATE
   nc/origins/origin_recorder.cpp
   nc/origins/origin_sets.cpp
   nc/origins/origin_words.cpp
+  nc/stages/axis_arc.cpp
   nc/stages/path_emitter.cpp
   nc/stages/path_emitter_curves.cpp
   nc/stages/path_emitter_poses.cpp

@@ -1,6 +1,5 @@
 #include "removal/sweep/leaning_sweep.h"
 
-#include "core/path/pose_sweep.h"
 #include "removal/sweep/convex_cast.h"
 
 namespace proveout {
@@ -27,13 +26,6 @@ Box3 boundsOfWay(const Vec3& from, const Vec3& to, const ArcGeometry* arc) {
 }
 
 }  // namespace
-
-bool MotionWay::chainTurns() const {
-  if (axis->pose == nullptr) return false;
-  const PoseSweep& pose = *axis->pose;
-  if (arc != nullptr && pose.beyond != 0.0) return true;  // the arc is of another point than the tip
-  return pose.chain != nullptr && pose.chain->turned(pose.axes_from, pose.axes_to) > kUprightAxis;
-}
 
 Box3 leaningBounds(const ConvexProfile& profile, const ToolFrame& frame) {
   Box3 box;

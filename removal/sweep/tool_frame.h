@@ -51,14 +51,13 @@ struct MotionWay {
   bool leans() const { return axis != nullptr && !turns() && !isUpright(axis->from); }
   /// The axis turns on the way, also where it comes back, or the part turns under it: a way of PosedWay.
   bool turns() const {
-    if (axis == nullptr) return false;
-    return (axis->to - axis->from).norm() > kUprightAxis || axis->law == PoseLaw::kCone || chainTurns();
+    return axis != nullptr && (axis->pose != nullptr || axis->law == PoseLaw::kCone ||
+                               (axis->to - axis->from).norm() > kUprightAxis);
   }
   /// Requires that the axis does not turn. Unit, workpiece frame, from the tip to the spindle.
   Vec3 direction() const { return leans() ? Vec3(axis->from.normalized()) : Vec3::UnitZ(); }
 
  private:
-  bool chainTurns() const;
   static bool isUpright(const Vec3& a) { return (a - Vec3::UnitZ()).norm() <= kUprightAxis; }
 };
 

@@ -14,6 +14,7 @@
 #include "removal/sweep/motion_bodies.h"
 #include "tests/property/drawn_outline.h"
 #include "tests/property/random_moves.h"
+#include "tests/property/swept_columns.h"
 #include "tests/support/golden_section.h"
 #include "tests/unit/removal/cut_fixture.h"
 #include "tests/unit/tool/drawings.h"
@@ -164,45 +165,6 @@ class LeaningBodies : public ::testing::TestWithParam<std::size_t> {
         out.all.push_back(made.body);
     }
   }
-  /// The intervals of a column, joined.
-  static std::vector<std::array<double, 2>> spans(const Bodies& bodies, double x, double y) {
-    std::vector<std::array<double, 2>> out;
-    for (const SweptBody& body : bodies.all) {
-      std::array<double, 8> xs, ys, lo, hi;
-      xs.fill(x), ys.fill(y);
-      body.columns(xs.data(), ys.data(), 1, lo.data(), hi.data());
-      if (!(lo[0] < hi[0])) continue;
-      out.push_back({lo[0], hi[0]});
-      expectReach(body, x, y, lo[0], hi[0]);
-    }
-    std::sort(out.begin(), out.end());
-    std::size_t kept = 0;
-    for (const auto& s : out) {
-      if (kept > 0 && s[0] <= out[kept - 1][1]) {
-        out[kept - 1][1] = std::max(out[kept - 1][1], s[1]);
-      } else {
-        out[kept++] = s;
-      }
-    }
-    out.resize(kept);
-    return out;
-  }
-  static void expectReach(const SweptBody& body, double x, double y, double lo, double hi) {
-    FourBlocks blocks{};
-    blocks.half_width = 0.7;
-    for (int i = 0; i < 4; ++i) {
-      blocks.x[i] = x + (i & 1 ? 0.6 : -0.6), blocks.y[i] = y + (i & 2 ? 0.6 : -0.6);
-      blocks.z_low[i] = -1e3, blocks.z_high[i] = 1e3;
-    }
-    double low[4], high[4];
-    body.reach(blocks, low, high);
-    for (int i = 0; i < 4; ++i) {
-      EXPECT_LE(low[i], lo);
-      EXPECT_GE(high[i], hi);
-    }
-    EXPECT_GE(body.highestReach(), hi);
-  }
-
   test::RandomMoves moves_{55};
 };
 
@@ -226,7 +188,7 @@ TEST_P(LeaningBodies, NoSampleIsOnTheWrongSide) {
     const Vec3 first = box.min - step * Vec3(random(0, 1), random(0, 1), random(0, 1));
     for (double x = first.x(); x < box.max.x() + step; x += step) {
       for (double y = first.y(); y < box.max.y() + step; y += step) {
-        const auto covered = spans(bodies, x, y);
+        const auto covered = test::columnSpans(bodies.all, x, y, 0.0);
         for (double z = first.z(); z < box.max.z() + step; z += step) {
           const bool in = std::any_of(covered.begin(), covered.end(),
                                       [&](const auto& s) { return s[0] < z && z < s[1]; });

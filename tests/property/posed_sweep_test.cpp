@@ -15,6 +15,7 @@
 #include "removal/sweep/motion_bodies.h"
 #include "tests/property/drawn_outline.h"
 #include "tests/property/random_moves.h"
+#include "tests/property/swept_columns.h"
 #include "tests/support/golden_section.h"
 #include "tests/support/posed_motions.h"
 #include "tests/unit/tool/drawings.h"
@@ -40,7 +41,6 @@ class Reference {
  public:
   Reference(const test::DrawnOutline& outline, const PosedWay& way) : outline_(outline), way_(way) {
     bounds_ = way.boundsOn(0.0, 1.0);
-    reach_ = outline.reach();
   }
 
   double toolDistance(const Vec3& p, double s) const {
@@ -52,14 +52,14 @@ class Reference {
   /// Whether the tool comes to hold the point; what is nearer to its surface than a micrometre may be either.
   bool holds(const Vec3& p) const {
     const double a = toolDistance(p, 0.0), b = toolDistance(p, 1.0);
-    return a < 0.0 || b < 0.0 || holdsBetween(p, 0.0, a, 1.0, b, 0);
+    return a < 0.0 || b < 0.0 || holdsBetween(p, 0.0, a, 1.0, b);
   }
   /// The least distance, negative inside; above it by kProvenMm at most. `known`: a value that is no lower.
   double distance(const Vec3& p, double known) const {
     double best = known;
     const double a = toolDistance(p, 0.0), b = toolDistance(p, 1.0);
     best = std::min({best, a, b});
-    lower(p, 0.0, a, 1.0, b, 0, best);
+    lower(p, 0.0, a, 1.0, b, best);
     return best;
   }
 
@@ -70,28 +70,27 @@ class Reference {
     const double far = (p - way_.at(0.5 * (s0 + s1)).tip).norm() + 0.5 * b.tip.velocity * (s1 - s0);
     return (b.tip.velocity + b.axis.velocity * far) * (s1 - s0);
   }
-  bool holdsBetween(const Vec3& p, double s0, double d0, double s1, double d1, int depth) const {
+  bool holdsBetween(const Vec3& p, double s0, double d0, double s1, double d1) const {
     const double way = mostWay(p, s0, s1);
     if (d0 + d1 - way >= 0.0 || way < 1e-6) return false;
     const double middle = 0.5 * (s0 + s1), d = toolDistance(p, middle);
-    return d < 0.0 || holdsBetween(p, s0, d0, middle, d, depth + 1) ||
-           holdsBetween(p, middle, d, s1, d1, depth + 1);
+    return d < 0.0 || holdsBetween(p, s0, d0, middle, d) ||
+           holdsBetween(p, middle, d, s1, d1);
   }
-  void lower(const Vec3& p, double s0, double d0, double s1, double d1, int depth, double& best) const {
+  void lower(const Vec3& p, double s0, double d0, double s1, double d1, double& best) const {
     const double way = mostWay(p, s0, s1);
     if (0.5 * (d0 + d1 - way) >= best - kProvenMm || way < 1e-9) return;
     const double middle = 0.5 * (s0 + s1), d = toolDistance(p, middle);
     best = std::min(best, d);
     const bool first = d0 < d1;
-    if (first) lower(p, s0, d0, middle, d, depth + 1, best);
-    lower(p, middle, d, s1, d1, depth + 1, best);
-    if (!first) lower(p, s0, d0, middle, d, depth + 1, best);
+    if (first) lower(p, s0, d0, middle, d, best);
+    lower(p, middle, d, s1, d1, best);
+    if (!first) lower(p, s0, d0, middle, d, best);
   }
 
   const test::DrawnOutline& outline_;
   const PosedWay& way_;
   PosedWay::Bounds bounds_;
-  double reach_;
 };
 
 /// What the engine says of one cutter on one motion.
@@ -122,44 +121,9 @@ struct Bodies {
     for (const SweptField& field : fields) box.extend(field.bounds());
     return box;
   }
-  using Spans = std::vector<std::array<double, 2>>;
   /// The intervals of a column, joined.
-  Spans spans(double x, double y) const {
-    Spans out;
-    for (const SweptBody& body : all) {
-      std::array<double, 8> xs, ys, lo, hi;
-      xs.fill(x), ys.fill(y);
-      body.columns(xs.data(), ys.data(), 1, lo.data(), hi.data());
-      if (!(lo[0] < hi[0])) continue;
-      out.push_back({lo[0], hi[0]});
-      expectReach(body, x, y, lo[0], hi[0]);
-    }
-    std::sort(out.begin(), out.end());
-    std::size_t kept = 0;
-    for (const auto& s : out) {
-      if (kept > 0 && s[0] <= out[kept - 1][1] + 1e-9) {
-        out[kept - 1][1] = std::max(out[kept - 1][1], s[1]);
-      } else {
-        out[kept++] = s;
-      }
-    }
-    out.resize(kept);
-    return out;
-  }
-  static void expectReach(const SweptBody& body, double x, double y, double lo, double hi) {
-    FourBlocks blocks{};
-    blocks.half_width = 0.7;
-    for (int i = 0; i < 4; ++i) {
-      blocks.x[i] = x + (i & 1 ? 0.6 : -0.6), blocks.y[i] = y + (i & 2 ? 0.6 : -0.6);
-      blocks.z_low[i] = -1e3, blocks.z_high[i] = 1e3;
-    }
-    double low[4], high[4];
-    body.reach(blocks, low, high);
-    for (int i = 0; i < 4; ++i) {
-      EXPECT_LE(low[i], lo);
-      EXPECT_GE(high[i], hi);
-    }
-    EXPECT_GE(body.highestReach(), hi);
+  std::vector<std::array<double, 2>> spans(double x, double y) const {
+    return test::columnSpans(all, x, y, 1e-9);
   }
 
   Toolpath path;

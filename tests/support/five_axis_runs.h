@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/machine/machine_chain.h"
 #include "core/nc/registry/interpreter.h"
 #include "core/path/toolpath.h"
 #include "tests/support/test_machines.h"

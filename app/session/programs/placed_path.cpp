@@ -19,11 +19,9 @@ std::shared_ptr<const PoseSweep> movedPose(const RigidTransform& move, const Pos
   PoseSweep out = pose;
   out.tip_at_zero = move(pose.tip_at_zero);
   if (pose.chain != nullptr) {
-    const bool same = chains.of == pose.chain && chains.rotation == move.rotation &&
-                      chains.translation == move.translation;
-    if (!same)
-      chains = {pose.chain, move.rotation, move.translation,
-                std::make_shared<const MachineChain>(pose.chain->moved(move))};
+    const bool same = chains.of == pose.chain && chains.move.rotation == move.rotation &&
+                      chains.move.translation == move.translation;
+    if (!same) chains = {pose.chain, move, std::make_shared<const MachineChain>(pose.chain->moved(move))};
     out.chain = chains.chain;
   }
   return std::make_shared<const PoseSweep>(std::move(out));

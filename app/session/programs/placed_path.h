@@ -29,8 +29,7 @@ struct ChannelPlacement {
 /// A machine's chain that was moved last: many motions share one.
 struct MovedChain {
   std::shared_ptr<const MachineChain> of;
-  Eigen::Matrix3d rotation;
-  Vec3 translation;
+  RigidTransform move;
   std::shared_ptr<const MachineChain> chain;
 };
 

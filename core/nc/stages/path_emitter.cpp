@@ -41,10 +41,10 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
       time_(sink, summary),
       axes_(axes),
       more_(axes.moreCount()),
-      origin_(settings.work_offsets[0] + settings.common_offset),
-      chain_(machineOf(settings, axes, origin_), origin_),
-      machine_(settings.start + origin_) {
-  plain_ = more_ == 0 && chain_.isLevel() && chain_.toolAtZero() == Vec3::UnitZ();
+      origin_(offsetZero(settings)),
+      machine_(settings.start + origin_),
+      tool_(settings.tool) {
+  takeChain(machineOf(settings, axes, origin_));
   for (int k = 0; k < axes_.count(); ++k) {
     any_limit_ = any_limit_ || axes_.at(k).limit.has_value();
     if (axes_.at(k).rotary()) ++rotary_;
@@ -56,8 +56,7 @@ PathEmitter::PathEmitter(const ControlSettings& settings, const AxisTable& axes,
   for (const auto& [tool, mount] : settings.inserts) {
     if (mount.gauge) gauges_[tool] = Vec3(mount.gauge->x(), 0.0, mount.gauge->y());
   }
-  setTool(settings.tool);
-  if (settings.tool == 0) to_workpiece_ -= alongTool(settings.unnamed_gauge);
+  placeTool();
   home_ = machine_.xyz = settings.start - to_workpiece_;
 }
 
@@ -65,20 +64,29 @@ void PathEmitter::lowerStart(double height) {
   home_.z() = machine_.xyz.z() = std::min(machine_.xyz.z(), height);
 }
 
-void PathEmitter::turnHead(const Vec3& direction, const Vec3& gauge) {
-  MachineModel model = machineOf(settings_, axes_, offsetZero(settings_));
-  model.spindle.direction = direction;
-  model.spindle.gauge = gauge;
-  chain_ = MachineChain(model, origin_);
-  plain_ = more_ == 0 && chain_.isLevel() && chain_.toolAtZero() == Vec3::UnitZ();
+void PathEmitter::takeChain(const MachineModel& model) {
+  chain_ = std::make_shared<const MachineChain>(model, origin_);
+  plain_ = more_ == 0 && chain_->isLevel() && chain_->toolAtZero() == Vec3::UnitZ();
+}
+
+/// The tool as it stands in the spindle of the chain.
+void PathEmitter::placeTool() {
   setTool(tool_);
   if (tool_ == 0) to_workpiece_ -= alongTool(settings_.unnamed_gauge);
+}
+
+void PathEmitter::turnHead(const Vec3& direction, const Vec3& gauge) {
+  MachineModel model = machineOf(settings_, axes_, origin_);
+  model.spindle.direction = direction;
+  model.spindle.gauge = gauge;
+  takeChain(model);
+  placeTool();
 }
 
 void PathEmitter::setTool(int tool) {
   tool_ = tool;
   const auto gauge = gauges_.find(tool);
-  to_workpiece_ = chain_.tipAtZero(0.0);
+  to_workpiece_ = chain_->tipAtZero(0.0);
   if (gauge != gauges_.end()) to_workpiece_ -= alongTool(gauge->second);
 }
 
@@ -90,12 +98,12 @@ void PathEmitter::countFromNose(int tool) {
 
 /// A gauge vector of a tool, whose z goes along it, as it stands in the spindle.
 Vec3 PathEmitter::alongTool(const Vec3& gauge) const {
-  const Vec3& axis = chain_.toolAtZero();
+  const Vec3& axis = chain_->toolAtZero();
   if (axis == Vec3::UnitZ()) return gauge;
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis) * gauge;
 }
 
-Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const { return chain_.point(machine, to_workpiece_); }
+Vec3 PathEmitter::toolPoint(const AxisPoint& machine) const { return chain_->point(machine, to_workpiece_); }
 
 /// Length that the axes besides X Y Z add to a motion: mm and degrees alike, as the feed counts them.
 double PathEmitter::furtherTravel(const AxisPoint& to, const AxisSet& slaves) const {
@@ -110,7 +118,7 @@ double PathEmitter::furtherTravel(const AxisPoint& to, const AxisSet& slaves) co
 
 bool PathEmitter::plainArc(const AxisPoint& to, const MachineArc& arc, const AxisSet& slaves) const {
   const bool main = arc.plane.u < kMainAxes && arc.plane.v < kMainAxes;
-  return main && furtherTravel(to, slaves) < kNoMoveMm && chain_.isLevel() && chain_.atZero(machine_);
+  return main && furtherTravel(to, slaves) < kNoMoveMm && chain_->isLevel() && chain_->atZero(machine_);
 }
 
 double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
@@ -122,7 +130,7 @@ double PathEmitter::furtherRapidTime(const AxisPoint& to) const {
 }
 
 const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
-  if (rotary_ == 0 && chain_.toolAtZero() == Vec3::UnitZ()) return nullptr;
+  if (rotary_ == 0 && chain_->toolAtZero() == Vec3::UnitZ()) return nullptr;
   sweep_ = {};
   for (int k = kMainAxes; k < kMainAxes + more_ && sweep_.rotary_count < kMaxRotaryAxes; ++k) {
     if (!axes_.at(k).rotary()) continue;
@@ -130,10 +138,10 @@ const AxisSweep* PathEmitter::sweepTo(const AxisPoint& to) {
     axes_.at(k).name.copy(rotary.name.data(), rotary.name.size() - 1);
     rotary.from = machine_[k];
     rotary.to = to[k];
-    rotary.in_path = chain_.carries(k);
+    rotary.in_path = chain_->carries(k);
   }
-  sweep_.from = chain_.toolAxis(machine_);
-  sweep_.to = chain_.toolAxis(to);
+  sweep_.from = chain_->toolAxis(machine_);
+  sweep_.to = chain_->toolAxis(to);
   return &sweep_;
 }
 
@@ -162,7 +170,7 @@ void PathEmitter::rapidTo(const AxisPoint& to, const SourceRef& source, double s
     m.time_s = 60.0 * length / speed;
     time_.flush();  // this one has its own time
   }
-  if (chain_.turns(machine_, to)) return sendTurned(m, to);
+  if (chain_->turns(machine_, to)) return sendTurned(m, to);
   MotionJoin join;
   join.stops = true;
   if (speed > 0.0 || !time_.wantsPace(join)) return send(m, to, nullptr);
@@ -195,7 +203,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
   }
   m.time_s = 60.0 * length / m.feed;
   m.source = source;
-  if (chain_.turns(machine_, to)) return sendTurned(m, to);
+  if (chain_->turns(machine_, to)) return sendTurned(m, to);
   if (!wants_pace) return send(m, to, nullptr);
   if (style.acceleration > 0.0) pace.acceleration = std::min(pace.acceleration, style.acceleration);
   pace.speed = m.feed / 60.0;
@@ -203,7 +211,7 @@ void PathEmitter::lineTo(const AxisPoint& to, const FeedStyle& style, const Sour
 }
 
 std::optional<PathEmitter::Line> PathEmitter::lineOf(const AxisPoint& to, const SourceRef& source) {
-  if (chain_.turns(machine_, to)) return std::nullopt;
+  if (chain_->turns(machine_, to)) return std::nullopt;
   Line line;
   line.motion.kind = MotionKind::kFeed;
   line.motion.from = toolPoint(machine_);
@@ -276,7 +284,7 @@ void PathEmitter::send(Motion& motion, const AxisPoint& to, const ArcGeometry* a
   } else {
     machine_ = to;
   }
-  if (any_limit_ && (chain_.anyRotary() || !chain_.isLevel())) {
+  if (any_limit_ && (chain_->anyRotary() || !chain_->isLevel())) {
     checkMachineTravel(from, motion.source);
   } else if (any_limit_) {
     checkTravel(motion, arc, motion.source);

@@ -1,6 +1,7 @@
 // Turns machine-frame moves into motions of the tool path: workpiece frame, tool, spindle, time.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -148,6 +149,8 @@ class PathEmitter {
   /// The controlled point of the tool in the workpiece frame.
   Vec3 toolPoint(const AxisPoint& machine) const;
   using MachineCurve = std::function<AxisPoint(double)>;  ///< of 0..1
+  /// Where shapes of ways are compared: no fractions of a turn that an arc of several turns repeats.
+  static constexpr std::array<double, 4> kProbes{0.137, 0.389, 0.618, 0.871};
   struct Shape {
     enum class Kind { kLine, kArc, kOther } kind = Kind::kOther;
     ArcGeometry arc;
@@ -155,15 +158,18 @@ class PathEmitter {
   /// Whether the controlled point, the axes going along `at`, keeps to a line or to the arc.
   Shape shapeOf(const MachineCurve& at, const ArcGeometry* arc) const;
   void sendCurve(const Motion& whole, const MachineCurve& at, const ArcGeometry* arc);
-  void sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length);
+  void sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length,
+                 const AxisSweep* sweep);
   void sendTurned(const Motion& motion, const AxisPoint& to);
-  void sendPosed(Motion motion, const AxisPoint& to, const PoseSweep& pose);
-  bool sendHeld(const Motion& motion, const AxisPoint& to, const PoseTrack& track, const MotionPace* pace,
+  void sendByAxes(Motion motion, const AxisPoint& to);
+  bool sendHeld(Motion motion, const AxisPoint& to, const PoseTrack& track, const MotionPace* pace,
                 const MotionJoin& join);
   void sendFollowed(const Motion& motion, const PoseTrack& track);
   MotionPace trackPace(const PoseTrack& track, const FeedStyle* style) const;
-  PoseSweep poseOf(const AxisPoint& from, const AxisPoint& to);
-  bool goesAlike(const AxisPoint& from, const AxisPoint& to, const AxisPoint& middle) const;
+  PoseSweep poseTowards(const AxisPoint& to) const;
+  ToolPose toolPose(const AxisPoint& machine) const { return {toolPoint(machine), chain_->toolAxis(machine)}; }
+  void takeChain(const MachineModel& model);
+  void placeTool();
   void furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,
                   const SourceRef& source);
   double polarMinutes(const PolarPlane& plane, const PolarLeg& leg, const FeedStyle& style,
@@ -186,8 +192,7 @@ class PathEmitter {
   bool plain_;      ///< X, Y, Z alone, along the machine's own axes, and an upright tool
   int rotary_ = 0;  ///< of these, the rotary ones
   Vec3 origin_;
-  MachineChain chain_;
-  std::shared_ptr<const MachineChain> shared_chain_;  ///< the same, for the path; made when it is needed
+  std::shared_ptr<const MachineChain> chain_;  ///< the path shares it; never null
   AxisPoint machine_;
   Vec3 home_;
   AxisSweep sweep_;

@@ -7,7 +7,7 @@
 
 #include "core/geometry/degrees.h"
 #include "core/nc/services/virtual_plane.h"
-#include "core/nc/stages/emitter_ways.h"
+#include "core/nc/stages/axis_arc.h"
 #include "core/nc/stages/path_emitter.h"
 
 namespace proveout::nc {
@@ -19,13 +19,6 @@ constexpr double kShapeMm = 1e-7;
 constexpr double kAxisTurnRad = 0.5 * kPi;
 /// Most pieces of one motion before the tolerance divides them further: 100 turns.
 constexpr int kMaxPieces = 3600;
-
-/// The length of an arc that its feed is the speed of.
-double pacedLength(const FeedStyle& style, double r0, double r1, double sweep, double rise) {
-  if (style.along == FeedStyle::Along::kPlane) return arcLength(r0, r1, sweep, 0.0);
-  if (style.along == FeedStyle::Along::kStartRadius && r0 > 0.0) return r0 * std::abs(sweep);
-  return arcLength(r0, r1, sweep, rise);
-}
 
 int piecesOf(double angle, double largest) {
   const double pieces = std::ceil(std::abs(angle) / largest - 1e-9);
@@ -70,7 +63,8 @@ PathEmitter::Shape PathEmitter::shapeOf(const MachineCurve& at, const ArcGeometr
   return shape;
 }
 
-void PathEmitter::sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length) {
+void PathEmitter::sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometry* arc, double length,
+                            const AxisSweep* sweep) {
   if (piece.kind != MotionKind::kRapid && piece.time_s > 0.0) {
     const double feed = 60.0 * length / piece.time_s;
     if (length > 0.0 && std::abs(feed - piece.feed) > 1e-9 * feed) piece.feed = feed;
@@ -80,7 +74,6 @@ void PathEmitter::sendPiece(Motion& piece, const AxisPoint& to, const ArcGeometr
   piece.tool = tool_;
   if (piece.spindle == 0.0) piece.spindle = spindle_;
   piece.arc = arc != nullptr ? 0 : -1;
-  const AxisSweep* sweep = sweepTo(to);
   const AxisPoint from = machine_;
   machine_ = to;
   if (any_limit_) checkMachineTravel(from, piece.source);
@@ -92,7 +85,7 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
   time_.flush();  // these motions have their own times
   const Shape shape = shapeOf(at, arc);
   const AxisPoint start = at(0.0);
-  const double turned = chain_.turned(start, at(1.0));
+  const double turned = chain_->turned(start, at(1.0));
   double done = 0.0;
   const auto piece = [&](double t) {
     Motion m = whole;
@@ -104,9 +97,9 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
       part.center += part.normal * part.normal.dot(from - part.center);
       part.sweep_rad *= t - done;
       const ArcFrame f = arcFrame(from, end, part);
-      sendPiece(m, to, &part, arcLength(f.radius_start, f.radius_end, part.sweep_rad, f.rise));
+      sendPiece(m, to, &part, arcLength(f.radius_start, f.radius_end, part.sweep_rad, f.rise), sweepTo(to));
     } else {
-      sendPiece(m, to, nullptr, (end - from).norm());
+      sendPiece(m, to, nullptr, (end - from).norm(), sweepTo(to));
     }
     done = t;
   };
@@ -116,31 +109,27 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
                 kCurveChordMm, piece);
     return;
   }
-  const bool upright = chain_.toolAxis(start) == Vec3::UnitZ() && chain_.toolAxis(at(0.618)) == Vec3::UnitZ();
+  const bool upright = chain_->toolAxis(start) == Vec3::UnitZ() && chain_->toolAxis(at(0.618)) == Vec3::UnitZ();
   const int pieces = upright ? 1 : piecesOf(turned, kAxisTurnRad);
   for (int k = 1; k <= pieces; ++k) piece(static_cast<double>(k) / pieces);
 }
 
 void PathEmitter::sendTurned(const Motion& motion, const AxisPoint& to) {
   const AxisPoint start = machine_;
-  const MachineCurve at = [&start, &to](double t) { return t >= 1.0 ? to : between(start, to, t); };
-  const auto upright = [&](double t) { return chain_.toolAxis(at(t)) == Vec3::UnitZ(); };
+  const MachineCurve at = [&start, &to](double t) { return between(start, to, t); };
+  const auto upright = [&](double t) { return chain_->toolAxis(at(t)) == Vec3::UnitZ(); };
   const bool stands = upright(0.0) && upright(0.618);
   ArcGeometry arc;
-  const MachineChain::Turn turn = chain_.onlyTurn(start, to);
-  const auto byAxes = [&] {
-    time_.flush();  // this motion has its own time
-    sendPosed(motion, to, poseOf(start, to));
-  };
-  if (turn.axis < 0) return stands ? sendCurve(motion, at, nullptr) : byAxes();
+  const MachineChain::Turn turn = chain_->onlyTurn(start, to);
+  if (turn.axis < 0) return stands ? sendCurve(motion, at, nullptr) : sendByAxes(motion, to);
   arc.normal = turn.direction;
   arc.center = turn.point + arc.normal * arc.normal.dot(toolPoint(start) - turn.point);
   arc.sweep_rad = degToRad(turn.sign * (to[turn.axis] - start[turn.axis]));
   // A direction at right angles to the axis turns in one plane; others go along cones.
   constexpr double kRight = 1e-12;
-  const bool in_plane = std::abs(turn.direction.dot(chain_.toolAxis(start))) < kRight &&
+  const bool in_plane = std::abs(turn.direction.dot(chain_->toolAxis(start))) < kRight &&
                         shapeOf(at, &arc).kind != Shape::Kind::kOther;
-  if (!stands && !in_plane) return byAxes();
+  if (!stands && !in_plane) return sendByAxes(motion, to);
   sendCurve(motion, at, &arc);
 }
 
@@ -148,25 +137,10 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
                              const SourceRef& source) {
   const AxisPoint start = machine_;
   const WorkPlane& plane = arc.plane;
-  const bool main = plane.u < kMainAxes && plane.v < kMainAxes;
-  ArcGeometry xyz{arc.center, arc.normal, arc.sweep_rad};  // of the main axes
-  ArcFrame frame;
-  if (main) frame = arcFrame(start.xyz, to.xyz, xyz);
-  const Vec2 from_uv(start[plane.u], start[plane.v]), to_uv(to[plane.u], to[plane.v]);
-  const MachineCurve at = [&](double t) {
-    if (t >= 1.0) return to;
-    AxisPoint p = between(start, to, t);
-    if (main) {
-      p.xyz = arcPoint(frame, xyz, t);
-    } else {
-      const Vec2 uv = pointOfArc(from_uv, to_uv, arc.center.head<2>(), arc.sweep_rad, t);
-      p[plane.u] = uv.x();
-      p[plane.v] = uv.y();
-    }
-    return p;
-  };
+  const AxisArc way(start, to, arc);
   AxisPoint center = start;
-  if (main) {
+  Vec3 normal = arc.normal;
+  if (way.isMain()) {
     center.xyz = arc.center;
   } else {
     const auto direction = [&](int axis) {
@@ -174,24 +148,16 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
     };
     center[plane.u] = arc.center.x();
     center[plane.v] = arc.center.y();
-    xyz.normal = direction(plane.u).cross(direction(plane.v));
+    normal = direction(plane.u).cross(direction(plane.v));
   }
-  const ArcGeometry guess{toolPoint(center), chain_.direction(start, xyz.normal), arc.sweep_rad};
-  const double r0 = main ? frame.radius_start : (from_uv - arc.center.head<2>()).norm();
-  const double r1 = main ? frame.radius_end : (to_uv - arc.center.head<2>()).norm();
-  double rise2 = main ? frame.rise * frame.rise : 0.0;  // of all axes outside the circle
-  for (int k = main ? kMainAxes : 0; k < axes_.count(); ++k) {
-    const bool slave = style.slaves.test(static_cast<std::size_t>(k));
-    if (k != plane.u && k != plane.v && !slave) rise2 += (to[k] - start[k]) * (to[k] - start[k]);
-  }
-  const double paced = pacedLength(style, r0, r1, arc.sweep_rad, std::sqrt(rise2));
+  const ArcGeometry guess{toolPoint(center), chain_->direction(start, normal), arc.sweep_rad};
   Motion m;
   m.spindle = style.spindle;
   m.kind = style.kind;
   m.feed = style.feed;
-  m.time_s = 60.0 * paced / style.feed;
+  m.time_s = 60.0 * way.pacedLength(style, axes_.count(), style.slaves) / style.feed;
   m.source = source;
-  sendCurve(m, at, &guess);
+  sendCurve(m, [&way](double t) { return way.at(t); }, &guess);
 }
 
 /// Duration of a feed motion in a polar plane, min; `others` is the way of the axes outside it.
@@ -246,8 +212,8 @@ void PathEmitter::polarTo(const AxisPoint& to, const PolarPlane& plane, const st
   const AxisPoint start = machine_;
   const PolarLeg leg{plane.of(start), plane.of(to), arc};
   const MachineCurve at = [&](double t) {
-    if (t >= 1.0) return to;
     AxisPoint p = between(start, to, t);
+    if (t >= 1.0) return p;
     const Vec2 q = leg.at(t);
     p[plane.linear] = plane.zero + plane.sign * q.norm();
     // The whole turns are those of the way between start and end.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/nc/stages/emitter_ways.h"
 #include "core/nc/stages/path_emitter.h"
 #include "core/path/posed_way.h"
 
@@ -29,32 +28,25 @@ bool alike(const ToolPose& a, const ToolPose& b, double most) {
 
 }  // namespace
 
-PoseSweep PathEmitter::poseOf(const AxisPoint& from, const AxisPoint& to) {
-  if (shared_chain_ == nullptr) shared_chain_ = std::make_shared<const MachineChain>(chain_);
+/// From where the machine stands.
+PoseSweep PathEmitter::poseTowards(const AxisPoint& to) const {
   PoseSweep pose;
-  pose.chain = shared_chain_;
-  pose.axes_from = from;
+  pose.chain = chain_;
+  pose.axes_from = machine_;
   pose.axes_to = to;
   pose.tip_at_zero = to_workpiece_;
   return pose;
 }
 
-/// One motion to `to` by the law of the axes.
-void PathEmitter::sendPosed(Motion motion, const AxisPoint& to, const PoseSweep& pose) {
+/// One motion by the law of the axes, which has its own time.
+void PathEmitter::sendByAxes(Motion motion, const AxisPoint& to) {
+  time_.flush();
   AxisSweep sweep = *sweepTo(to);
   sweep.law = PoseLaw::kAxes;
-  sweep.pose = std::make_shared<const PoseSweep>(pose);
-  motion.from = toolPoint(machine_);
-  motion.to = toolPoint(to);
-  motion.tool = tool_;
-  if (motion.spindle == 0.0) motion.spindle = spindle_;
-  if (motion.kind != MotionKind::kRapid && motion.time_s > 0.0)
-    motion.feed = 60.0 * PosedWay(motion, nullptr, sweep).length() / motion.time_s;
-  const AxisPoint from = machine_;
-  machine_ = to;
-  if (any_limit_) checkMachineTravel(from, motion.source);
-  ++summary_.motions;
-  time_.pass(motion, nullptr, &sweep);
+  sweep.pose = std::make_shared<const PoseSweep>(poseTowards(to));
+  const double length =
+      motion.kind == MotionKind::kRapid ? 0.0 : PosedWay(motion, nullptr, sweep).length();
+  sendPiece(motion, to, nullptr, length, &sweep);
 }
 
 /// Speed and directions of a way that the axes follow.
@@ -86,21 +78,22 @@ MotionPace PathEmitter::trackPace(const PoseTrack& track, const FeedStyle* style
 }
 
 /// The way as its law says; false: the machine does not follow it, and nothing was sent.
-bool PathEmitter::sendHeld(const Motion& held, const AxisPoint& to, const PoseTrack& track,
-                           const MotionPace* pace, const MotionJoin& join) {
-  Motion motion = held;
+bool PathEmitter::sendHeld(Motion motion, const AxisPoint& to, const PoseTrack& track, const MotionPace* pace,
+                           const MotionJoin& join) {
   AxisSweep sweep = *sweepTo(to);
   sweep.law = track.law;
-  PoseSweep pose = poseOf(machine_, to);
-  const auto gauge = gauges_.find(tool_);
-  pose.beyond = track.held_mm + track.length - (gauge == gauges_.end() ? 0.0 : gauge->second.z());
+  PoseSweep pose = poseTowards(to);
+  const double gauge = (chain_->tipAtZero(0.0) - to_workpiece_).dot(chain_->toolAtZero());
+  pose.beyond = track.held_mm + track.length - gauge;
   motion.from = toolPoint(machine_);
   motion.to = toolPoint(to);
+  motion.tool = tool_;
+  if (motion.spindle == 0.0) motion.spindle = spindle_;
   ArcGeometry arc;
   if (track.arc) {
-    const Vec3 back = pose.beyond * sweep.from;
-    arc.center = toolPoint(track.arc->center) - back;
-    arc.normal = (toolPoint(track.arc->above) - back - arc.center).normalized();
+    const Vec3 center = toolPoint(track.arc->center);
+    arc.center = center - pose.beyond * sweep.from;
+    arc.normal = (toolPoint(track.arc->above) - center).normalized();
     arc.sweep_rad = track.arc->sweep_rad;
     motion.arc = 0;
   }
@@ -109,26 +102,22 @@ bool PathEmitter::sendHeld(const Motion& held, const AxisPoint& to, const PoseTr
   const PosedWay way(motion, curve, sweep);
   bool turns = (sweep.to - sweep.from).norm() > kSameAxis;
   for (const double t : kProbes) {
-    const AxisPoint at = track.at(t);
-    const ToolPose pose_there{toolPoint(at), chain_.toolAxis(at)};
-    if (!alike(way.at(t), pose_there, kLawMm)) return false;
-    turns = turns || (pose_there.axis - sweep.from).norm() > kSameAxis;
+    const ToolPose there = toolPose(track.at(t));
+    if (!alike(way.at(t), there, kLawMm)) return false;
+    turns = turns || (there.axis - sweep.from).norm() > kSameAxis;
   }
   if (!turns) {  // a table turns about the tool's own direction
     sweep.pose = nullptr;
     sweep.law = PoseLaw::kVector;
     arc.center += pose.beyond * sweep.from;
   }
-  const AxisPoint end = to;
-  AxisPoint last = machine_;
-  if (any_limit_) {  // the linear axes may swing beyond both ends
-    for (int i = 1; i <= kSpeedSteps; ++i) {
-      machine_ = i == kSpeedSteps ? end : track.at(static_cast<double>(i) / kSpeedSteps);
-      checkMachineTravel(last, motion.source);
-      last = machine_;
-    }
+  // The linear axes may swing beyond both ends.
+  for (int i = 1; any_limit_ && i <= kSpeedSteps; ++i) {
+    const AxisPoint last = machine_;
+    machine_ = i == kSpeedSteps ? to : track.at(static_cast<double>(i) / kSpeedSteps);
+    checkMachineTravel(last, motion.source);
   }
-  machine_ = end;
+  machine_ = to;
   ++summary_.motions;
   if (pace == nullptr) {
     time_.flush();
@@ -139,32 +128,24 @@ bool PathEmitter::sendHeld(const Motion& held, const AxisPoint& to, const PoseTr
   return true;
 }
 
-/// Whether the axes, going linearly, pass where the control has them in the middle.
-bool PathEmitter::goesAlike(const AxisPoint& from, const AxisPoint& to, const AxisPoint& middle) const {
-  const AxisPoint straight = between(from, to, 0.5);
-  return alike({toolPoint(straight), chain_.toolAxis(straight)}, {toolPoint(middle), chain_.toolAxis(middle)},
-               kPieceMm);
-}
-
 /// The way as the machine follows it, in pieces along which its axes go linearly.
 void PathEmitter::sendFollowed(const Motion& motion, const PoseTrack& track) {
-  time_.flush();
   const std::function<void(double, double, int)> halve = [&](double low, double high, int left) {
     const AxisPoint to = track.at(high);
-    const double middle = 0.5 * (low + high), quarter = 0.5 * (low + middle);
     // Two places: a way that crosses its chord in the middle is seen at the other.
-    const AxisPoint straight = between(machine_, to, 0.25), there = track.at(quarter);
-    const bool near = goesAlike(machine_, to, track.at(middle)) &&
-                      alike({toolPoint(straight), chain_.toolAxis(straight)},
-                            {toolPoint(there), chain_.toolAxis(there)}, kPieceMm);
-    if (left > 0 && !near) {
+    const auto isNear = [&](double share) {
+      return alike(toolPose(between(machine_, to, share)), toolPose(track.at(low + share * (high - low))),
+                   kPieceMm);
+    };
+    if (left > 0 && !(isNear(0.5) && isNear(0.25))) {
+      const double middle = 0.5 * (low + high);
       halve(low, middle, left - 1);
       halve(middle, high, left - 1);
       return;
     }
     Motion piece = motion;
     piece.time_s = motion.time_s * (high - low);
-    sendPosed(piece, to, poseOf(machine_, to));
+    sendByAxes(piece, to);
   };
   halve(0.0, 1.0, kMostHalvings);
 }
@@ -181,8 +162,6 @@ void PathEmitter::poseTo(const AxisPoint& to, const PoseTrack& track, const Feed
     m.spindle = style->spindle;
     m.feed = 60.0 * pace.speed;
   }
-  m.tool = tool_;
-  if (m.spindle == 0.0) m.spindle = spindle_;
   MotionJoin join = style != nullptr ? style->join : MotionJoin{};
   join.stops = join.stops || style == nullptr;
   const bool wants_pace = time_.wantsPace(join);

@@ -13,6 +13,8 @@
 #include <memory>
 
 #include "core/nc/registry/interpreter.h"
+#include "core/path/posed_way.h"
+#include "tests/support/five_axis_runs.h"
 #include "tests/support/test_machines.h"
 
 namespace proveout {
@@ -64,11 +66,8 @@ ControlSettings manualMachine() {
   return settings;
 }
 
-struct Outcome {
-  Toolpath path;
-  InterpretSummary summary;
-  std::string error;
-
+/// What a run leaves, and questions about it.
+struct Outcome : test::Outcome {
   bool warns(std::string_view code) const {
     const auto& all = path.diagnostics.all();
     return std::any_of(all.begin(), all.end(), [&](const Diagnostic& d) { return d.code == code; });
@@ -96,13 +95,7 @@ struct Outcome {
 };
 
 Outcome runOf(const std::string& text, const ControlSettings& settings) {
-  Outcome out;
-  ToolpathBuilder sink(out.path);
-  out.summary = interpret(ControlId::kNct, MemoryProgramSource("main.nc", text + "\nM30\n"), settings, sink);
-  for (const Diagnostic& d : out.path.diagnostics.all()) {
-    if (d.severity == Severity::kError && out.error.empty()) out.error = d.code + ": " + d.message;
-  }
-  return out;
+  return {test::runOf(text, settings)};
 }
 
 /// Value of a variable behind the program: it becomes a machine position of X.
@@ -502,6 +495,26 @@ TEST(OtherControls, TieNoAxesTogether) {
   const auto summary =
       interpret(ControlId::kWl4Mill, MemoryProgramSource("main.nc", "G0 X1\nM30\n"), manualMachine(), sink);
   EXPECT_EQ(summary.errors, 1);
+}
+
+/// A table that turns before the head does and after it: each way is by the head that stands there.
+TEST(Head, WaysOfATableAreByTheOneInHand) {
+  ControlSettings settings = manualMachine();
+  AxisSettings table = axisOf("A", 7);
+  table.kind = AxisKind::kRotary;
+  table.carries = RotaryCarries::kPart;
+  settings.axes.push_back(table);
+  const Outcome out = runOf("G0 Z40\nG1 F500 Y10 A30\nM46\nG1 X10 Y70 Z20 A75", settings);
+  ASSERT_EQ(out.error, "");
+  int posed = 0;
+  for (const Motion& m : out.path.motions) {
+    if (m.axis < 0 || out.path.axes[static_cast<std::size_t>(m.axis)].pose == nullptr) continue;
+    ++posed;
+    const ToolPose end = posedWayOf(out.path, m).at(1.0);
+    EXPECT_LT((end.tip - m.to).norm(), kSame) << m.source.line;
+    EXPECT_LT((end.axis - out.path.axes[static_cast<std::size_t>(m.axis)].to).norm(), kSame) << m.source.line;
+  }
+  EXPECT_EQ(posed, 2);
 }
 
 }  // namespace

@@ -6,55 +6,14 @@
 #include <Eigen/Geometry>
 #include <random>
 
+#include "tests/support/posed_motions.h"
 #include "tests/support/test_machines.h"
 
 namespace proveout {
 namespace posed_way_test {
 namespace {
 
-struct Case {
-  Motion motion;
-  ArcGeometry arc;
-  bool is_arc = false;
-  AxisSweep axis;
-
-  PosedWay way() const { return {motion, is_arc ? &arc : nullptr, axis}; }
-};
-
-AxisPoint at(const Vec3& xyz, double first, double second) {
-  AxisPoint p(xyz);
-  p.more[0] = first;
-  p.more[1] = second;
-  return p;
-}
-
-/// All axes of a machine from one place to another, with a tool of this length.
-Case axesCase(const MachineModel& machine, const AxisPoint& from, const AxisPoint& to, double length) {
-  auto pose = std::make_shared<PoseSweep>();
-  const auto chain = std::make_shared<const MachineChain>(machine, Vec3::Zero());
-  pose->chain = chain;
-  pose->axes_from = from;
-  pose->axes_to = to;
-  pose->tip_at_zero = chain->tipAtZero(length);
-  Case c;
-  const ToolPose a = chain->pose(from, length), b = chain->pose(to, length);
-  c.motion.from = a.tip;
-  c.motion.to = b.tip;
-  c.axis.from = a.axis;
-  c.axis.to = b.axis;
-  c.axis.law = PoseLaw::kAxes;
-  c.axis.pose = pose;
-  return c;
-}
-
-Case vectorCase(const Vec3& from, const Vec3& to, const Vec3& axis_from, const Vec3& axis_to) {
-  Case c;
-  c.motion.from = from;
-  c.motion.to = to;
-  c.axis.from = axis_from.normalized();
-  c.axis.to = axis_to.normalized();
-  return c;
-}
+using namespace test;  // NOLINT
 
 void expectNear(const Vec3& a, const Vec3& b, double most = 9e-5) {
   EXPECT_LT((a - b).norm(), most) << a.transpose() << " for " << b.transpose();
@@ -63,7 +22,7 @@ void expectNear(const Vec3& a, const Vec3& b, double most = 9e-5) {
 TEST(PosedWay, AxesGoLinearly) {
   // 25.14, N30 without tool centre point control.
   const PosedWay cb =
-      axesCase(test::machineCB(), at({185, -60, 56.5064}, 0, 30), at({236.7767, 60, 16.7767}, 0, 45), 100)
+      axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30), axesAt({236.7767, 60, 16.7767}, 0, 45), 100)
           .way();
   expectNear(cb.at(0.5).tip, {58.6980, 0, -11.6968}, 1e-4);
   expectNear(cb.at(0.0).tip, {60, -60, -10}, 1e-4);
@@ -71,7 +30,7 @@ TEST(PosedWay, AxesGoLinearly) {
 
 TEST(PosedWay, VectorsTurnInOnePlane) {
   // 25.16, the pyramid's N40.
-  const PosedWay way = vectorCase({100, 100, 0}, {0, 100, 0}, {-20, -20, 40}, {20, -20, 40}).way();
+  const PosedWay way = vectorMotion({100, 100, 0}, {0, 100, 0}, {-20, -20, 40}, {20, -20, 40}).way();
   expectNear(way.at(0.25).axis, {-0.2087, -0.4374, 0.8747});
   expectNear(way.at(0.5).axis, {0, -0.4472, 0.8944});
   expectNear(way.at(0.5).tip, {50, 100, 0});
@@ -80,7 +39,7 @@ TEST(PosedWay, VectorsTurnInOnePlane) {
 TEST(PosedWay, ConesFollowTheArc) {
   // 25.16, the cone's N50; the same thrice round.
   for (const int turns : {0, 2}) {
-    Case c = vectorCase({100, 0, 0}, {0, 100, 0}, {-20, 0, 40}, {0, -20, 40});
+    PosedMotion c = vectorMotion({100, 0, 0}, {0, 100, 0}, {-20, 0, 40}, {0, -20, 40});
     c.is_arc = true;
     c.arc.sweep_rad = (0.5 + 2.0 * turns) * kPi;
     c.axis.law = PoseLaw::kCone;
@@ -93,7 +52,7 @@ TEST(PosedWay, ConesFollowTheArc) {
 }
 
 TEST(PosedWay, AToolTakenForLongerThanItIsStaysBack) {
-  Case c = vectorCase({0, 0, 10}, {10, 0, 10}, {0, 0, 1}, {1, 0, 0});
+  PosedMotion c = vectorMotion({0, 0, 10}, {10, 0, 10}, {0, 0, 1}, {1, 0, 0});
   auto pose = std::make_shared<PoseSweep>();
   pose->beyond = 2.0;
   c.axis.pose = pose;
@@ -105,8 +64,8 @@ TEST(PosedWay, AToolTakenForLongerThanItIsStaysBack) {
 }
 
 /// Motions of every law.
-std::vector<Case> cases() {
-  std::vector<Case> out;
+std::vector<PosedMotion> cases() {
+  std::vector<PosedMotion> out;
   std::mt19937_64 engine{20261129};
   const auto random = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
@@ -117,16 +76,16 @@ std::vector<Case> cases() {
     const MachineModel machine = i % 3 == 0   ? test::headHead('B', {10, 0, 150}, {0, 25, 60})
                                  : i % 3 == 1 ? test::trunnion('A')
                                               : test::headTable();
-    Case axes = axesCase(machine, at(point(100), random(-90, 90), random(-200, 200)),
-                         at(point(100), random(-90, 90), random(-1500, 1500)), random(0, 150));
-    Case tip = axes;
+    PosedMotion axes = axesMotion(machine, axesAt(point(100), random(-90, 90), random(-200, 200)),
+                         axesAt(point(100), random(-90, 90), random(-1500, 1500)), random(0, 150));
+    PosedMotion tip = axes;
     tip.axis.law = PoseLaw::kTip;
-    Case vector = vectorCase(point(50), point(50), direction(), direction());
-    Case cone = vector;
+    PosedMotion vector = vectorMotion(point(50), point(50), direction(), direction());
+    PosedMotion cone = vector;
     cone.is_arc = true;
     cone.arc = {point(20), Vec3::UnitZ(), random(-9, 9)};
     cone.axis.law = PoseLaw::kCone;
-    Case spiral = tip;
+    PosedMotion spiral = tip;
     spiral.is_arc = true;
     spiral.arc = {tip.motion.from + point(20), direction().normalized(), random(-9, 9)};
     auto pose = std::make_shared<PoseSweep>(*tip.axis.pose);
@@ -138,7 +97,7 @@ std::vector<Case> cases() {
 }
 
 TEST(PosedWay, EndsAreThoseOfTheMotion) {
-  for (const Case& c : cases()) {
+  for (const PosedMotion& c : cases()) {
     const PosedWay way = c.way();
     expectNear(way.at(0.0).tip, c.motion.from, 1e-9);
     expectNear(way.at(0.0).axis, c.axis.from, 1e-9);
@@ -149,7 +108,7 @@ TEST(PosedWay, EndsAreThoseOfTheMotion) {
 
 TEST(PosedWay, DerivativesAreThoseOfDifferencesAndKeepTheirBounds) {
   constexpr double kStep = 1e-5;
-  for (const Case& c : cases()) {
+  for (const PosedMotion& c : cases()) {
     const PosedWay way = c.way();
     for (int k = 0; k < 10; ++k) {
       const double low = 0.1 * k, high = low + 0.1, t = low + 0.063;
@@ -172,7 +131,7 @@ TEST(PosedWay, DerivativesAreThoseOfDifferencesAndKeepTheirBounds) {
 }
 
 TEST(PosedWay, LengthIsThatOfManyChords) {
-  for (const Case& c : cases()) {
+  for (const PosedMotion& c : cases()) {
     const PosedWay way = c.way();
     constexpr int kChords = 20000;
     double sum = 0.0;
@@ -187,7 +146,7 @@ TEST(PosedWay, LengthIsThatOfManyChords) {
 }
 
 TEST(PosedWay, ThePathKnowsTipsThatLeaveTheirLine) {
-  const Case c = axesCase(test::machineCB(), at({185, -60, 56.5064}, 0, 30), at({236.7767, 60, 16.7767}, 0, 45), 100);
+  const PosedMotion c = axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30), axesAt({236.7767, 60, 16.7767}, 0, 45), 100);
   Toolpath path;
   ToolpathBuilder(path).motion(c.motion, nullptr, &c.axis);
   const Motion& m = path.motions[0];

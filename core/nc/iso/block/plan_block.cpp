@@ -317,8 +317,7 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   IsoState& next = plan.next;
   const GCode* code = plan.by_group[kGroupLengthComp];
   const int mode = next.active[kGroupLengthComp];
-  if (code && mode != gcode::kTipByAngles && mode != gcode::kTipByVector && mode != gcode::kLengthOff &&
-      next.five.tip != TipControl::kOff)
+  if (code && !holdsTip(mode) && mode != gcode::kLengthOff && next.five.tip != TipControl::kOff)
     return c.fail("tcp-definition", fmt::format("{} cannot follow tool centre point control at once: program "
                                                 "G49 first", gName(mode)));
   if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
@@ -327,10 +326,9 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
     if (next.five.tip != TipControl::kOff && !leavesTipControl(c, plan)) return false;
-    next.five.along_tool = next.five.shank = false;
-    next.five.tip = TipControl::kOff;
+    next.five.endLength();
     plan.frames_changed = true;
-  } else if (mode == gcode::kTipByAngles || mode == gcode::kTipByVector) {
+  } else if (holdsTip(mode)) {
     if (!planTipControl(c, plan)) return false;
   } else if (mode == gcode::kLengthAlongTool && (code || c.block.present.has('H'))) {
     if (!planLengthAlongTool(c, plan)) return false;

@@ -19,11 +19,16 @@ bool isCalled(const BlockPlan& plan, IsoGroup group, std::int32_t code10) {
 
 }  // namespace
 
+bool hasFiveAxes(IsoContext& c, const char* name) {
+  return c.five_axes.kind != FiveAxisKind::kNone ||
+         c.fail("machine-data",
+                fmt::format("{} needs a head or a table, and the machine of this job has none "
+                            "([[machine.axis]])",
+                            name));
+}
+
 bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
-  if (c.five_axes.kind == FiveAxisKind::kNone) {
-    return c.fail("machine-data",
-                  "G43.1 needs a head or a table, and the machine of this job has none ([[machine.axis]])");
-  }
+  if (!hasFiveAxes(c, "G43.1")) return false;
   plan.next.length = AxisPoint();
   plan.next.five.along_tool = true;
   plan.frames_changed = plan.flush = true;
@@ -61,7 +66,8 @@ bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
   plan.new_chain = c.chainOf(plan.next, end);
   plan.chain = &*plan.new_chain;
   plan.frames_changed = plan.flush = true;
-  if (!byTransformation(c) || plan.next.five.tip != TipControl::kOff) return true;  // `target` holds the old coordinates of axes without a word
+  // `target` holds the old coordinates of axes without a word.
+  if (!byTransformation(c) || plan.next.five.tip != TipControl::kOff) return true;
   AxisPoint stands = c.machine;
   stands.more = end.more;
   stands = plan.chain->programOf(stands);

@@ -5,6 +5,8 @@
 
 namespace proveout::nc {
 
+/// Whether the machine turns tool or part, as the code of that name needs. False: reported.
+bool hasFiveAxes(IsoContext& c, const char* name);
 /// G69.1, and the end of a definition of a tilted plane that is not whole. False: an error was reported.
 bool planTiltState(IsoContext& c, BlockPlan& plan);
 /// G43.1, and H while it is in force.

@@ -87,19 +87,17 @@ RotaryAngles ShankTrack::at(double share) const {
 
 std::optional<ShankTrack> trackShank(IsoContext& c, const BlockPlan& plan) {
   const TipWay way(c, plan);
-  AxisPoint level = c.machine;  // the workpiece frame is that of the tables at 0
-  for (double& more : level.more) more = 0.0;
   const RotaryAngles now = c.five_axes.at(c.machine),
                      end = c.five_axes.at(c.chain.machineOf(plan.motion.target));
   Motion motion;
   AxisSweep sweep;
   ArcGeometry arc;
-  motion.from = way.machineOf(c.position, level).xyz;
-  motion.to = way.machineOf(plan.motion.target, level).xyz;
+  motion.from = way.machineOf(c.position, kTablesAtZero).xyz;
+  motion.to = way.machineOf(plan.motion.target, kTablesAtZero).xyz;
   sweep.from = c.five_axes.toolVector(now);
   sweep.to = c.five_axes.toolVector(end);
   if (plan.motion.is_arc) {
-    const PoseTrack::Arc seen = way.arc(level);
+    const PoseTrack::Arc seen = way.arc(kTablesAtZero);
     arc = {seen.center.xyz, seen.above.xyz - seen.center.xyz, seen.sweep_rad};
     sweep.law = PoseLaw::kCone;
   }

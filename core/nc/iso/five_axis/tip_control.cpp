@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/five_axis/shank_track.h"
 #include "core/nc/iso/five_axis/tip_way.h"
 
@@ -47,11 +48,10 @@ bool planVector(IsoContext& c, BlockPlan& plan) {
     given = given || w != nullptr;
     vector[axis] = w == nullptr ? 0.0 : w->value;
   }
-  plan.next.five.vector_given = given;
   if (!given) return true;
   if (!(vector.norm() > 0.0) || !std::isfinite(vector.norm()))
     return c.fail("tcp-definition", "G43.5 definition error: I, J and K give no direction");
-  plan.next.five.vector = vector;
+  plan.motion.tool_vector = vector;
   return true;
 }
 
@@ -73,9 +73,7 @@ bool planTipControl(IsoContext& c, BlockPlan& plan) {
   const bool by_vector = plan.next.active[kGroupLengthComp] == gcode::kTipByVector;
   const char* name = by_vector ? "G43.5" : "G43.4";
   const bool called = plan.by_group[kGroupLengthComp] != nullptr;
-  if (called && c.five_axes.kind == FiveAxisKind::kNone)
-    return c.fail("machine-data", fmt::format("{} needs a head or a table, and the machine of this job has "
-                                              "none ([[machine.axis]])", name));
+  if (called && !hasFiveAxes(c, name)) return false;
   if (!checkMode(c, plan, name)) return false;
   if (called && !planShank(c, plan)) return false;
   if (by_vector && !planVector(c, plan)) return false;
@@ -94,8 +92,7 @@ bool leavesTipControl(IsoContext& c, const BlockPlan& plan) {
 }
 
 bool namesMotion(const IsoContext& c, const BlockPlan& plan) {
-  const FiveAxisState& five = plan.next.five;
-  return c.anyAxisWord() || (five.tip == TipControl::kVector && five.vector_given);
+  return c.anyAxisWord() || plan.motion.tool_vector.has_value();
 }
 
 std::optional<RotaryAngles> chooseAngles(IsoContext& c, const Vec3& wanted) {
@@ -119,14 +116,11 @@ bool takeToolVector(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
                     "G43.5 definition error: the tool's direction is given by I, J and K, not by rotary axes",
                     w.columns);
   }
-  if (!plan.next.five.vector_given) return true;
-  AxisPoint level = c.machine;  // the workpiece frame is that of the tables at 0
-  for (double& more : level.more) more = 0.0;
-  const CoordinateChain chain = c.chainOf(plan.next, level);
-  const Vec3 along = chain.machineOf(AxisPoint(plan.next.five.vector)).xyz - chain.machineOf(AxisPoint()).xyz;
-  const Vec3 wanted = along.normalized();
+  if (!plan.motion.tool_vector) return true;
+  const CoordinateChain chain = c.chainOf(plan.next, kTablesAtZero);
+  const Vec3 along = chain.toMachine(*plan.motion.tool_vector) - chain.toMachine(Vec3::Zero());
   // Under shank control the way decides which pair it is: performTipMove().
-  const std::optional<RotaryAngles> angles = chooseAngles(c, wanted);
+  const std::optional<RotaryAngles> angles = chooseAngles(c, along.normalized());
   if (!angles) return false;
   AxisPoint end = plan.chain->machineOf(target);
   setAngles(c.five_axes, *angles, end);
@@ -169,10 +163,10 @@ bool performTipMove(IsoContext& c, BlockPlan& plan) {
   } else {
     track.at = [&](double share) { return way.machineAt(share); };
   }
-  item.to = c.chain.machineOf(plan.motion.target);
-  const bool sent = c.pipe.push(item);
+  const AxisPoint end = item.to = c.chain.machineOf(plan.motion.target);
+  const bool sent = c.pipe.push(item);  // the way is told from where the control stands until now
   c.position = plan.motion.target;
-  c.machine = c.chain.machineOf(plan.motion.target);
+  c.machine = end;
   return sent;
 }
 

@@ -5,6 +5,10 @@
 
 namespace proveout::nc {
 
+/// Whether a code of the length group is one of them.
+constexpr bool holdsTip(std::int32_t length_code10) {
+  return length_code10 == gcode::kTipByAngles || length_code10 == gcode::kTipByVector;
+}
 /// G43.4, G43.5, their H and the vector I, J, K while they are in force. False: an error was reported.
 bool planTipControl(IsoContext& c, BlockPlan& plan);
 /// G49 while they are in force. False: an error was reported.

@@ -5,10 +5,8 @@
 namespace proveout::nc {
 
 AxisPoint TipWay::programAt(double share) const {
-  const AxisPoint& to = plan_.motion.target;
-  if (share >= 1.0) return to;
-  AxisPoint p;
-  for (int k = 0; k < kMaxAxes; ++k) p[k] = from_[k] + share * (to[k] - from_[k]);
+  AxisPoint p = between(from_, plan_.motion.target, share);
+  if (share >= 1.0) return p;
   if (plan_.motion.pivot_mm != 0.0) p.xyz = pivoted(p);
   if (!plan_.motion.is_arc) return p;
   const PlaneArc& arc = plan_.motion.arc;
@@ -20,8 +18,7 @@ AxisPoint TipWay::programAt(double share) const {
 
 /// Of the tool where the rotary axes are those of a programmed point, in programmed coordinates.
 Vec3 TipWay::directionAt(const AxisPoint& program) const {
-  AxisPoint level;  // the direction is told in the workpiece frame: tables at 0
-  const CoordinateChain chain = c_.chainOf(plan_.next, level);
+  const CoordinateChain chain = c_.chainOf(plan_.next, kTablesAtZero);  // the direction's frame
   const Vec3 t = c_.five_axes.toolVector(c_.five_axes.at(c_.chain.machineOf(program)));
   return chain.toProgram(t) - chain.toProgram(Vec3::Zero());
 }

@@ -11,6 +11,10 @@ inline void setAngles(const FiveAxisModel& model, const RotaryAngles& angles, Ax
   if (model.second >= 0) machine[model.second] = angles.second;
 }
 
+/// Where the frame of the workpiece is that directions of the tool are told in; coordinates depend on the
+/// rotary axes alone.
+inline const AxisPoint kTablesAtZero;
+
 /// From the position of the context to the target of the plan. Both must outlive it, and stay as they are.
 class TipWay {
  public:

@@ -54,6 +54,7 @@ struct PlannedMotion {
   PathMotion::Meet meet = PathMotion::Meet::kNo;
   double join_size = 0.0;            ///< mm
   double angle = 0.0, radius = 0.0;  ///< of over-determined blocks, see PathMotion
+  std::optional<Vec3> tool_vector;   ///< I, J, K of G43.5, as programmed, any length
   bool about_tip = false;            ///< the tip is held on its way while rotary axes turn (G53.6)
   double pivot_mm = 0.0;             ///< with it: from the point that is held to the tip, along the tool
 };

@@ -57,11 +57,14 @@ struct FiveAxisState {
   bool along_tool = false;       ///< the length offset follows the heads: G43.1, and G43 since G53.1
   std::int8_t dynamic_zero = 0;  ///< P of G54.2; 0: it is off
   TipControl tip = TipControl::kOff;
-  bool shank = false;          ///< P1 of G43.4, G43.5
-  bool vector_given = false;   ///< I, J, K of G43.5 in this block
-  Vec3 vector = Vec3::Zero();  ///< these, as programmed, any length
+  bool shank = false;  ///< P1 of G43.4, G43.5
   /// Do the coordinates turn with the tables?
   bool turnsWithTable() const { return on_table || tip != TipControl::kOff; }
+  /// What belongs to the length code goes with it.
+  void endLength() {
+    along_tool = shank = false;
+    tip = TipControl::kOff;
+  }
   bool any() const { return rotations > 0 || tilted || on_table || follows(); }
   /// Do the coordinates depend on where the rotary axes are?
   bool follows() const { return turnsWithTable() || along_tool || dynamic_zero > 0; }

@@ -84,12 +84,6 @@ bool send(IsoContext& c, const AxisPoint& to, const FeedStyle* feed) {
   return true;
 }
 
-AxisPoint between(const IsoContext& c, const AxisPoint& from, const AxisPoint& to, double t) {
-  AxisPoint p = to;
-  for (int k = 0; k < c.axes.count(); ++k) p[k] = t < 1.0 ? from[k] + t * (to[k] - from[k]) : to[k];
-  return p;
-}
-
 /// Asks the probe about the line to `to`, machine. `stop`: where the contact is, or nothing. False: reported.
 bool ask(IsoContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
   if (c.host.probe == nullptr) {
@@ -104,7 +98,7 @@ bool ask(IsoContext& c, const AxisPoint& to, std::optional<AxisPoint>& stop) {
   const auto contact =
       c.host.probe->firstContact(line->motion, nullptr, line->has_axis ? &line->axis : nullptr);
   if (!contact) return c.fail("probe", contact.error().message);
-  if (*contact) stop = between(c, c.standing(), to, std::clamp(**contact, 0.0, 1.0));
+  if (*contact) stop = between(c.standing(), to, std::clamp(**contact, 0.0, 1.0));
   return true;
 }
 

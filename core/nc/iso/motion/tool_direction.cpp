@@ -4,6 +4,7 @@
 
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/five_axis/tip_way.h"
 #include "core/nc/iso/motion/feed.h"
@@ -16,10 +17,6 @@ namespace {
 
 /// Whether G53.1 or G53.6 may run here. False: reported.
 bool mayTurn(IsoContext& c, const BlockPlan& plan, const char* name) {
-  if (c.five_axes.kind == FiveAxisKind::kNone)
-    return c.fail("machine-data",
-                  fmt::format("{} needs a head or a table, and the machine of this job has none "
-                              "([[machine.axis]])", name));
   const FiveAxisState& five = plan.next.five;
   if (!five.tilted)
     return c.alarm(SharedAlarm::kNoTilt, "", fmt::format("{} needs a tilted plane: program G68.2 first", name));
@@ -52,7 +49,7 @@ void turnTo(const IsoContext& c, BlockPlan& plan, const RotaryAngles& angles) {
 }  // namespace
 
 bool planToolDirection(IsoContext& c, BlockPlan& plan) {
-  if (c.five_axes.kind != FiveAxisKind::kNone && !ownBlock(c, "G53.1")) return false;
+  if (!hasFiveAxes(c, "G53.1") || !ownBlock(c, "G53.1")) return false;
   if (c.anyAxisWord())
     return c.alarm(SharedAlarm::kIllegalAddress, c.block.words.back(), "G53.1 stands alone in its block");
   if (!mayTurn(c, plan, "G53.1")) return false;
@@ -107,7 +104,7 @@ bool performAboutTip(IsoContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planToolDirectionAboutTip(IsoContext& c, BlockPlan& plan) {
-  if (!mayTurn(c, plan, "G53.6")) return false;
+  if (!hasFiveAxes(c, "G53.6") || !mayTurn(c, plan, "G53.6")) return false;
   if (plan.next.h == 0) return c.alarm(SharedAlarm::kNoLength, "", "G53.6 needs the length of the tool");
   const std::optional<RotaryAngles> chosen = anglesOfPlane(c, plan);
   if (!chosen) return false;

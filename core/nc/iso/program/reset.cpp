@@ -54,8 +54,7 @@ void resetGroup(const IsoState& fresh, std::size_t group, IsoState& s) {
   Transforms& t = s.transforms;
   if (group == kGroupPlane) s.takePlane(fresh);
   if (group == kGroupLengthComp) s.length = fresh.length;
-  if (group == kGroupLengthComp) s.five.along_tool = s.five.shank = false;
-  if (group == kGroupLengthComp) s.five.tip = TipControl::kOff;
+  if (group == kGroupLengthComp) s.five.endLength();
   if (group == kGroupTilt) s.five.tilt = FrameStep();
   if (group == kGroupTilt) s.five.rotations = s.five.tilted = s.five.on_table = false;
   if (group == kGroupWorkSystem) s.five.dynamic_zero = 0;

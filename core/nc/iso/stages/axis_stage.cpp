@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/nc/services/virtual_plane.h"
+#include "core/nc/stages/axis_arc.h"
 
 namespace proveout::nc {
 namespace {
@@ -16,60 +17,6 @@ bool carriesNothing(const AxisInfo& axis, const ControlSettings& settings) {
   if (k >= 0) return settings.machine->axes[static_cast<std::size_t>(k)].side == AxisSide::kNothing;
   return axis.rotary() ? !axis.turns : axis.parallel_to < 0;
 }
-
-AxisPoint partOfWay(const AxisPoint& a, const AxisPoint& b, double t) {
-  AxisPoint p = b;
-  for (int k = 0; t < 1.0 && k < kMaxAxes; ++k) p[k] = a[k] + (b[k] - a[k]) * t;
-  return p;
-}
-
-/// An arc of machine space, by name.
-struct NamedArc {
-  AxisPoint from, to;
-  WorkPlane plane;
-  bool main = true;
-  ArcGeometry xyz;  ///< of the main axes
-  ArcFrame frame;
-  Vec2 center = Vec2::Zero(), from_uv, to_uv;
-  double sweep = 0.0;
-
-  NamedArc(const PathItem& item, const AxisPoint& start, const AxisPoint& end)
-      : from(start), to(end), plane(item.plane), main(isMainPlane(item.plane)), sweep(item.sweep) {
-    from_uv = Vec2(from[plane.u], from[plane.v]);
-    to_uv = Vec2(to[plane.u], to[plane.v]);
-    center = item.center.head<2>();
-    if (!main) return;
-    xyz.center = item.center;
-    xyz.normal = item.normal;
-    xyz.sweep_rad = item.sweep;
-    frame = arcFrame(from.xyz, to.xyz, xyz);
-  }
-  AxisPoint at(double t) const {
-    AxisPoint p = partOfWay(from, to, t);
-    if (t >= 1.0) return p;
-    if (main) {
-      p.xyz = arcPoint(frame, xyz, t);
-    } else {
-      const Vec2 uv = pointOfArc(from_uv, to_uv, center, sweep, t);
-      p[plane.u] = uv.x();
-      p[plane.v] = uv.y();
-    }
-    return p;
-  }
-  /// As a curve of space, to divide it.
-  Vec3 shapeAt(double t) const {
-    const AxisPoint p = at(t);
-    return main ? p.xyz : Vec3(p[plane.u], p[plane.v], 0.0);
-  }
-  /// The length that the feed is the speed of; `rise`: of all axes outside the circle.
-  double paced(const FeedStyle& style, double rise) const {
-    const double r0 = main ? frame.radius_start : (from_uv - center).norm();
-    const double r1 = main ? frame.radius_end : (to_uv - center).norm();
-    if (style.along == FeedStyle::Along::kPlane) return arcLength(r0, r1, sweep, 0.0);
-    if (style.along == FeedStyle::Along::kStartRadius && r0 > 0.0) return r0 * std::abs(sweep);
-    return arcLength(r0, r1, sweep, rise);
-  }
-};
 
 }  // namespace
 
@@ -145,13 +92,10 @@ void AxisStage::putOnAxes(PathItem& item) const {
 }
 
 bool AxisStage::pushChords(const PathItem& item, const AxisPoint& from, const AxisPoint& to) {
-  const NamedArc arc(item, from, to);
-  double rise2 = arc.main ? arc.frame.rise * arc.frame.rise : 0.0;
-  for (int name = arc.main ? kMainAxes : 0; name < axes_.count(); ++name) {
-    const bool counts = name != arc.plane.u && name != arc.plane.v && !map_.isSlave(name);
-    if (counts) rise2 += (to[name] - from[name]) * (to[name] - from[name]);
-  }
-  const double paced = arc.paced(item.feed, std::sqrt(rise2));
+  const AxisArc arc(from, to, {item.center, item.normal, item.sweep, item.plane});
+  AxisSet apart;
+  for (int name = 0; name < axes_.count(); ++name) apart.set(static_cast<std::size_t>(name), map_.isSlave(name));
+  const double paced = arc.pacedLength(item.feed, axes_.count(), apart);
   double done = 0.0;
   bool good = true;
   const auto chord = [&](double t) {
@@ -163,8 +107,12 @@ bool AxisStage::pushChords(const PathItem& item, const AxisPoint& from, const Ax
     good = good && pass(line);
     done = t;
   };
+  const auto shape = [&](double t) {  // as a curve of space
+    const AxisPoint p = arc.at(t);
+    return arc.isMain() ? p.xyz : Vec3(p[item.plane.u], p[item.plane.v], 0.0);
+  };
   const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(item.sweep) / kCurvePieceRad)));
-  divideCurve([&](double t) { return arc.shapeAt(t); }, pieces, kCurveChordMm, chord);
+  divideCurve(shape, pieces, kCurveChordMm, chord);
   return good;
 }
 

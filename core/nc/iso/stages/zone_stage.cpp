@@ -13,6 +13,8 @@
 namespace proveout::nc {
 namespace {
 
+/// Along a way on which rotary axes turn about the tip.
+constexpr int kPoseChords = 64;
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 /// Whether the machine's PLC has chosen range B there: "Z+".
@@ -227,8 +229,19 @@ bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, b
   return false;
 }
 
-/// Axes of a virtual plane do not go straight: the way is looked at in chords, and a motion that would enter
-/// an area is left out.
+/// A motion whose axes do not go straight: its way is looked at in chords, and where it would enter an area
+/// it is left out.
+bool ZoneStage::pushCurve(PathItem& item, int chords, const std::function<AxisPoint(double)>& at) {
+  AxisPoint last = c_.emitter.machine();
+  for (int i = 1; i <= chords; ++i) {
+    const AxisPoint p = at(static_cast<double>(i) / chords);
+    const ZonePath chord(last, p, c_.axes.count());
+    if (const auto found = during(chord)) return stop(item, *found, chord, false);
+    last = p;
+  }
+  return pass(item);
+}
+
 bool ZoneStage::pushPolar(PathItem& item) {
   constexpr int kChords = 256;
   const AxisPoint from = c_.emitter.machine();
@@ -236,41 +249,21 @@ bool ZoneStage::pushPolar(PathItem& item) {
   if (item.kind == PathItem::Kind::kArc) arc = PolarArc{item.center.head<2>(), item.sweep};
   const PolarPlane& plane = item.polar;
   const PolarLeg leg{plane.of(from), plane.of(item.to), arc};
-  AxisPoint last = from;
-  for (int i = 1; i <= kChords; ++i) {
-    const double t = static_cast<double>(i) / kChords;
-    AxisPoint p = item.to;
-    if (i < kChords) {
-      for (int k = 0; k < c_.axes.count(); ++k) p[k] = from[k] + t * (item.to[k] - from[k]);
-      const Vec2 q = leg.at(t);
-      const double angle = plane.zero_deg + radToDeg(std::atan2(plane.sign * q.y(), plane.sign * q.x()));
-      p[plane.linear] = plane.zero + plane.sign * q.norm();
-      p[plane.rotary] += std::remainder(angle - p[plane.rotary], 360.0);
-    }
-    const ZonePath chord(last, p, c_.axes.count());
-    if (const auto found = during(chord)) return stop(item, *found, chord, false);
-    last = p;
-  }
-  return pass(item);
-}
-
-/// The same of a motion whose axes follow the tip.
-bool ZoneStage::pushPose(PathItem& item) {
-  constexpr int kChords = 64;
-  AxisPoint last = c_.emitter.machine();
-  for (int i = 1; i <= kChords; ++i) {
-    const AxisPoint p = item.pose->at(static_cast<double>(i) / kChords);
-    const ZonePath chord(last, p, c_.axes.count());
-    if (const auto found = during(chord)) return stop(item, *found, chord, false);
-    last = p;
-  }
-  return pass(item);
+  return pushCurve(item, kChords, [&](double t) {
+    AxisPoint p = between(from, item.to, t);
+    if (t >= 1.0) return p;
+    const Vec2 q = leg.at(t);
+    const double angle = plane.zero_deg + radToDeg(std::atan2(plane.sign * q.y(), plane.sign * q.x()));
+    p[plane.linear] = plane.zero + plane.sign * q.norm();
+    p[plane.rotary] += std::remainder(angle - p[plane.rotary], 360.0);
+    return p;
+  });
 }
 
 bool ZoneStage::push(PathItem& item) {
   if (item.kind != PathItem::Kind::kLine && item.kind != PathItem::Kind::kArc) return pass(item);
   if (item.in_polar) return pushPolar(item);
-  if (item.pose) return pushPose(item);
+  if (item.pose) return pushCurve(item, kPoseChords, item.pose->at);
   const ZonePath path = pathOf(c_, item);
   if (check_before_) {
     if (const auto found = before(path)) return stop(item, *found, path, false);

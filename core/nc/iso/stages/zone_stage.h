@@ -2,6 +2,7 @@
 // 22).
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,7 +60,7 @@ class ZoneStage final : public PathStage {
   std::optional<Found> before(const ZonePath& path) const;
   std::optional<Found> during(const ZonePath& path) const;
   bool pushPolar(PathItem& item);
-  bool pushPose(PathItem& item);
+  bool pushCurve(PathItem& item, int chords, const std::function<AxisPoint(double)>& at);
   bool stop(PathItem& item, const Found& found, const ZonePath& path, bool moves);
   std::string axisName(const ZoneHit& hit) const;
 
