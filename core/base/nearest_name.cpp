@@ -30,14 +30,17 @@ struct Synonym {
   std::string_view written, meant;
 };
 constexpr Synonym kSynonyms[] = {
-    {"type", "shape"},      {"kind", "type"},       {"kind", "shape"},        {"shape", "type"},
-    {"form", "shape"},      {"dia", "diameter"},    {"d", "diameter"},        {"size", "diameter"},
-    {"r", "radius"},        {"file", "mesh"},       {"file", "program"},      {"path", "file"},
-    {"path", "mesh"},       {"path", "program"},    {"mesh", "file"},         {"stl", "mesh"},
-    {"stl", "file"},        {"model", "mesh"},      {"id", "number"},         {"nr", "number"},
-    {"no", "number"},       {"t", "number"},        {"machine", "control"},   {"controller", "control"},
-    {"blank", "stock"},     {"workpiece", "stock"}, {"cad", "nominal"},       {"reference", "nominal"},
-    {"subs", "subprograms"}, {"subfolder", "subprograms"}, {"grid", "resolution"}, {"ramp", "acceleration"},
+    {"type", "shape"},        {"kind", "type"},         {"kind", "shape"},
+    {"shape", "type"},        {"form", "shape"},        {"dia", "diameter"},
+    {"d", "diameter"},        {"size", "diameter"},     {"r", "radius"},
+    {"file", "mesh"},         {"file", "program"},      {"path", "file"},
+    {"path", "mesh"},         {"path", "program"},      {"mesh", "file"},
+    {"stl", "mesh"},          {"stl", "file"},          {"model", "mesh"},
+    {"id", "number"},         {"nr", "number"},         {"no", "number"},
+    {"t", "number"},          {"machine", "control"},   {"controller", "control"},
+    {"blank", "stock"},       {"workpiece", "stock"},   {"cad", "nominal"},
+    {"reference", "nominal"}, {"subs", "subprograms"},  {"subfolder", "subprograms"},
+    {"grid", "resolution"},   {"ramp", "acceleration"},
 };
 
 std::string synonymOf(std::string_view word, const std::vector<std::string>& candidates) {
@@ -54,7 +57,8 @@ std::string beginningWith(std::string_view word, const std::vector<std::string>&
   constexpr std::size_t kShortest = 2;
   std::string best;
   for (const std::string& candidate : candidates) {
-    const bool begins = word.size() >= kShortest && candidate.starts_with(word) && candidate.size() > word.size();
+    const bool begins =
+        word.size() >= kShortest && candidate.starts_with(word) && candidate.size() > word.size();
     if (begins && (best.empty() || candidate.size() < best.size())) best = candidate;
   }
   return best;

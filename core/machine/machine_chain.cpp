@@ -103,7 +103,8 @@ MachineChain::PointMotion MachineChain::follow(const AxisPoint& from, const Axis
                                                const Vec3& at_zero) const {
   PointMotion p{at_zero, Vec3::Zero()};
   for (const Link& link : links_) {
-    const double way = to[link.axis] - from[link.axis], at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
+    const double way = to[link.axis] - from[link.axis],
+                 at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
     if (!link.rotary) {
       p.at += at * link.direction;
       p.velocity += way * link.direction;
@@ -122,7 +123,8 @@ MachineChain::PointMotion MachineChain::followDirection(const AxisPoint& from, c
                                                         double share, const Vec3& at_zero) const {
   PointMotion d{at_zero, Vec3::Zero()};
   for (const Link& link : rotary_) {
-    const double way = to[link.axis] - from[link.axis], at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
+    const double way = to[link.axis] - from[link.axis],
+                 at = share >= 1.0 ? to[link.axis] : from[link.axis] + share * way;
     if (at == 0.0 && way == 0.0) continue;
     const Eigen::Matrix3d turn = turnAbout(link.direction, link.sign * at);
     d.at = turn * d.at;

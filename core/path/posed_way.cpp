@@ -117,8 +117,7 @@ PosedWay::Moving PosedWay::movingAt(double share) const {
   }
   const MachineChain::PointMotion point = pointAt(share);
   const double beyond = pose_ != nullptr ? pose_->beyond : 0.0;
-  return {{point.at + beyond * axis.at, axis.at},
-          {point.velocity + beyond * axis.velocity, axis.velocity}};
+  return {{point.at + beyond * axis.at, axis.at}, {point.velocity + beyond * axis.velocity, axis.velocity}};
 }
 
 ToolPose PosedWay::at(double share) const { return movingAt(share).pose; }

@@ -47,9 +47,9 @@ class PosedWay {
   ArcGeometry arc_;
   ArcFrame frame_{};
   Vec3 axis_from_, axis_to_;
-  double angle_ = 0.0;             ///< kVector: that the axis turns, rad
-  Vec3 about_ = Vec3::UnitZ();     ///< kVector: about it
-  double azimuth_ = 0.0;           ///< kCone: from start to end, rad, about the arc's normal
+  double angle_ = 0.0;                      ///< kVector: that the axis turns, rad
+  Vec3 about_ = Vec3::UnitZ();              ///< kVector: about it
+  double azimuth_ = 0.0;                    ///< kCone: from start to end, rad, about the arc's normal
   double tilt_from_ = 0.0, tilt_to_ = 0.0;  ///< kCone: from the arc's normal to the axis, rad
   Vec3 azimuth_at_ = Vec3::UnitX();         ///< kCone: of the start, unit, across the normal
   std::shared_ptr<const PoseSweep> pose_;

@@ -50,10 +50,11 @@ struct RotaryPosition {
 /// Rotary axes that a path may tell of.
 inline constexpr int kMaxRotaryAxes = 6;
 
-/// How a tool goes whose axis turns. The point that a law holds on the motion's line or arc is the tip, or one
-/// beside it on the tool's axis (PoseSweep::beyond, pose_sweep.h).
+/// How a tool goes whose axis turns. The point that a law holds on the motion's line or arc is the tip, or
+/// one beside it on the tool's axis (PoseSweep::beyond, pose_sweep.h).
 enum class PoseLaw : std::uint8_t {
-  kVector,  ///< the point on the line or arc, the axis turning in one plane from start to end, less than 180 deg
+  kVector,  ///< the point on the line or arc, the axis turning in one plane from start to end, less than 180
+            ///< deg
   kTip,     ///< the point on the line or arc, the rotary axes of the machine going linearly
   kCone,    ///< the point on an arc, azimuth about the arc's axis and inclination to it going linearly
   kAxes,    ///< all axes of the machine going linearly: the tip's way is what follows from that

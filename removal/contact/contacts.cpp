@@ -154,8 +154,8 @@ class EndWay {
  private:
   const Toolpath& path_;
   const Motion& motion_;
-  double up_;                 ///< from the control point along the axis, mm
-  Vec3 end_ = Vec3::Zero();   ///< the same where the axis stands still
+  double up_;                ///< from the control point along the axis, mm
+  Vec3 end_ = Vec3::Zero();  ///< the same where the axis stands still
   double length_ = 0.0;
   std::optional<PosedWay> posed_;
 };

@@ -38,7 +38,7 @@ struct Lowest {
 };
 
 struct Interval {
-  bool over = false;         ///< the tool is over the column somewhere
+  bool over = false;          ///< the tool is over the column somewhere
   double beyond = kNoHeight;  ///< least level distance of the tool's axis less the radius, mm
   double lo = kNoHeight, hi = -kNoHeight;
   double middle = 0.0;  ///< turn: angle of the way at u = 0; upright: place of the column, mm; else 0

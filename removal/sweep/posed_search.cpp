@@ -98,8 +98,8 @@ PosedSearch::Pose PosedSearch::pose(double t) {
   return pose;
 }
 
-/// What is known where the nearest element is an arc: while the point stays in its sector the distance is that
-/// from its centre.
+/// What is known where the nearest element is an arc: while the point stays in its sector the distance is
+/// that from its centre.
 void PosedSearch::addRound(const ProfileSample& s, double rho, double z, double rho_rate, double z_rate,
                            const PosedStretch::Moving& m, Pose& to) const {
   const ConvexProfile::Element& e = profile_.element(s.element - profile_.firstElementId());
@@ -124,7 +124,8 @@ void PosedSearch::addRound(const ProfileSample& s, double rho, double z, double 
     bound.k = -from.dot(bend) / distance;
     bound.third = stretch_->tip[2] + up * stretch_->axis[2];
     bound.speed = stretch_->tip[0] + up * stretch_->axis[0];
-    bound.round[0] = {across2, 3.0 * std::sqrt(across2) * (stretch_->tip[1] + up * stretch_->axis[1]), distance};
+    bound.round[0] = {across2, 3.0 * std::sqrt(across2) * (stretch_->tip[1] + up * stretch_->axis[1]),
+                      distance};
   } else {
     const double beside = std::abs(s.gr * z_rate - s.gz * rho_rate);
     bound.round[1] = {beside * beside, 3.0 * beside * (bend_ + 2.0 * speed_ * speed_ / rho), radius};
@@ -154,7 +155,8 @@ double PosedSearch::reach(const Pose& from, double direction, double most) const
   if (!(from.value > wanted())) return 0.0;
   double reached = 0.0;
   for (int i = from.count; i-- > 0 && reached < most;)
-    reached = std::max(reached, reachBy(from, from.bounds[static_cast<std::size_t>(i)], direction * from.slope, most));
+    reached = std::max(reached,
+                       reachBy(from, from.bounds[static_cast<std::size_t>(i)], direction * from.slope, most));
   return reached;
 }
 
@@ -187,7 +189,8 @@ int PosedSearch::newton(double low, double high, double start, std::array<Pose, 
       if (!(next > low && next < high)) next = 0.5 * (low + high);
     } else if (left && right && count > 6) {
       // Between faces Newton's steps may creep: every other one halves.
-      const double meet = low + (left_value - right_value + right_slope * (high - low)) / (right_slope - left_slope);
+      const double meet =
+          low + (left_value - right_value + right_slope * (high - low)) / (right_slope - left_slope);
       next = count % 3 == 0 ? 0.5 * (low + high) : count % 3 == 1 && meet > low && meet < high ? meet : next;
     }
     next = std::clamp(next, low, high);

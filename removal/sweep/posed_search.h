@@ -2,10 +2,10 @@
 // branch and bound on the stretches of a PosedTrack.
 //
 // In the tool's own frame the solid stands still and the point goes. Its signed distance is convex in the
-// place of the point, so that the tangent plane at one pose bounds it from below at all others: by the point's
-// first two derivatives there and a bound of the third. Where the solid is round more is known: the distance
-// from an axis, from a centre or from a corner's circle bends up by what the point goes across. Poses are
-// found by Newton's method; what their bounds leave open is divided.
+// place of the point, so that the tangent plane at one pose bounds it from below at all others: by the
+// point's first two derivatives there and a bound of the third. Where the solid is round more is known: the
+// distance from an axis, from a centre or from a corner's circle bends up by what the point goes across.
+// Poses are found by Newton's method; what their bounds leave open is divided.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace proveout {
 /// A pose and the signed distance of the solid there.
 struct PosedPlace {
   std::size_t stretch = 0;
-  double t = 0.0;  ///< on the stretch, -1 to 1
+  double t = 0.0;                                          ///< on the stretch, -1 to 1
   double value = std::numeric_limits<double>::infinity();  ///< mm
 };
 
@@ -47,7 +47,8 @@ class PosedSearch {
 
  private:
   /// A lower bound of the value at t + w as seen from t, for |w| <= widest: value + slope w +
-  /// k w^2 / 2 - third |w|^3 / 6, where both k and third have shares that fall with the radii of what is round.
+  /// k w^2 / 2 - third |w|^3 / 6, where both k and third have shares that fall with the radii of what is
+  /// round.
   struct Bound {
     double k, third, widest;
     double speed;  ///< by which the radii may grow

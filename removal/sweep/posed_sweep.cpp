@@ -126,7 +126,8 @@ SweepSample PosedSweep::withRim(const Vec3& p, const PosedPlace& place) const {
   if (before.slope < 0.0 && after.slope > 0.0) {
     const Vec3 mix = before.gradient * after.slope - after.gradient * before.slope;
     const bool rim = before.element != after.element && before.gradient.dot(after.gradient) < kRimCos;
-    const int element = rim ? ConvexProfile::kEdgeIds + std::min(before.element, after.element) : here.element;
+    const int element =
+        rim ? ConvexProfile::kEdgeIds + std::min(before.element, after.element) : here.element;
     if (const double norm = mix.norm(); norm > 0.0) return {here.value, mix / norm, element};
   }
   return {here.value, here.gradient, here.element};

@@ -1,5 +1,5 @@
-// What one convex part of a tool sweeps while its axis turns. Signs are those of Sweep; the zero set is exact,
-// as poses are never sampled. Error below kSweepToleranceMm.
+// What one convex part of a tool sweeps while its axis turns. Signs are those of Sweep; the zero set is
+// exact, as poses are never sampled. Error below kSweepToleranceMm.
 #pragma once
 
 #include <memory>

@@ -105,7 +105,8 @@ PosedTrack::PosedTrack(const MotionWay& way, double longest) {
     const double from = static_cast<double>(i) / static_cast<double>(count),
                  to = static_cast<double>(i + 1) / static_cast<double>(count);
     int pieces = 1;
-    while (pieces < kMostPieces && !isShort(posed, rate, from, from + (to - from) / pieces, longest)) pieces *= 2;
+    while (pieces < kMostPieces && !isShort(posed, rate, from, from + (to - from) / pieces, longest))
+      pieces *= 2;
     for (int k = 0; k < pieces; ++k)
       stretches_.push_back(
           stretchOf(posed, from + (to - from) * k / pieces, from + (to - from) * (k + 1) / pieces));

@@ -45,9 +45,9 @@ struct PosedStretch {
   /// No point so far from the tip moves farther than that from where it is at t = 0.
   double mostShift(double reach) const { return tip[0] + axis[0] * reach; }
 
-  double from = 0.0, to = 1.0;           ///< shares of the motion
-  std::array<Row, kDegree + 1> rows;     ///< by powers of t
-  std::array<double, 3> tip{}, axis{};   ///< most lengths of the first three derivatives by t
+  double from = 0.0, to = 1.0;          ///< shares of the motion
+  std::array<Row, kDegree + 1> rows;    ///< by powers of t
+  std::array<double, 3> tip{}, axis{};  ///< most lengths of the first three derivatives by t
 };
 
 class PosedTrack {

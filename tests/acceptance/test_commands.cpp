@@ -283,7 +283,8 @@ TEST(Commands, AModelThatLiesElsewhereIsTheOneFinding) {
   EXPECT_EQ(bench.run("compare part.obj turned.obj --nominal-rotate 0,0,-90").exit_code, 0);
   // Colours by a report know where the model lay.
   bench.write("low.obj", boxObj(-10, 0, 0, 0, 20, 4.9));
-  ASSERT_EQ(bench.run("compare part.obj low.obj --nominal-rotate 0,0,-90 --out o --size 200x150").exit_code, 1);
+  ASSERT_EQ(bench.run("compare part.obj low.obj --nominal-rotate 0,0,-90 --out o --size 200x150").exit_code,
+            1);
   EXPECT_EQ(bench.run("render part.obj -o heat.png --size 200x150 --heatmap o/report.json").exit_code, 0);
   std::string report = readFile(bench.path("o/report.json"));
   const std::size_t at = report.find("\"rotate\"");
@@ -291,7 +292,8 @@ TEST(Commands, AModelThatLiesElsewhereIsTheOneFinding) {
   report.replace(at, 8, "\"rotated\"");
   bench.write("o/report.json", report);
   EXPECT_EQ(bench.run("render part.obj -o heat.png --size 200x150 --heatmap o/report.json").exit_code, 2);
-  for (const char* const wrong : {"--nominal-at 1,2", "--nominal-at 1,2,nan", "--nominal-rotate 0,0,400", "--nominal-at x"})
+  for (const char* const wrong :
+       {"--nominal-at 1,2", "--nominal-at 1,2,nan", "--nominal-rotate 0,0,400", "--nominal-at x"})
     EXPECT_EQ(bench.run(std::string("compare part.obj turned.obj ") + wrong).exit_code, 2) << wrong;
 }
 
@@ -323,8 +325,9 @@ TEST(Commands, KeysOfJobsThatPeopleWriteAreMet) {
   const Workbench bench;
   bench.write("ring.nc", kRing);
   const auto told = [&](const std::string& stock, const std::string& tool, const std::string& words) {
-    bench.write("job.toml", "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"ring.nc\"\n[stock]\n" +
-                                stock + "[[tool]]\nnumber = 1\ntype = \"flat\"\n" + tool);
+    bench.write("job.toml",
+                "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"ring.nc\"\n[stock]\n" + stock +
+                    "[[tool]]\nnumber = 1\ntype = \"flat\"\n" + tool);
     const Outcome outcome = bench.run("check job.toml");
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_TRUE(has(outcome.err, words)) << outcome.err;
@@ -348,7 +351,8 @@ TEST(Commands, ProgramsOfOtherMakersAreNamedInOneLine) {
         << dialogue.err;
     EXPECT_EQ(std::count(dialogue.err.begin(), dialogue.err.end(), '\n'), 1) << dialogue.err;
     const Outcome siemens = bench.run(std::string("check plate.mpf --control ") + control);
-    EXPECT_TRUE(has(siemens.err, "a program of Sinumerik") && has(siemens.err, "Siemens controls")) << siemens.err;
+    EXPECT_TRUE(has(siemens.err, "a program of Sinumerik") && has(siemens.err, "Siemens controls"))
+        << siemens.err;
   }
 }
 
@@ -362,25 +366,29 @@ TEST(Commands, ANewcomersWireProgramIsToldOfTheJob) {
     EXPECT_TRUE(has(outcome.err, "cuts with a wire, which a job file gives")) << outcome.err;
     EXPECT_FALSE(has(outcome.err, "ball:6")) << outcome.err;
   }
-  bench.write("wire.toml",
-              "schema = \"proveout.job/1\"\ncontrol = \"wedm\"\nprogram = \"wire.nc\"\n[stock]\nshape = \"box\"\n"
-              "min = [-15, -12, 0]\nmax = [15, 12, 20]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n");
+  bench.write(
+      "wire.toml",
+      "schema = \"proveout.job/1\"\ncontrol = \"wedm\"\nprogram = \"wire.nc\"\n[stock]\nshape = \"box\"\n"
+      "min = [-15, -12, 0]\nmax = [15, 12, 20]\n[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 6\n");
   const Outcome job = bench.run("run wire.toml --no-render");
   EXPECT_EQ(job.exit_code, 2);
-  EXPECT_TRUE(has(job.err, "control wedm cuts with a wire: it needs a job file whose [[tool]] has type = \"wire\""))
+  EXPECT_TRUE(
+      has(job.err, "control wedm cuts with a wire: it needs a job file whose [[tool]] has type = \"wire\""))
       << job.err;
 }
 
 TEST(Commands, G53WithoutMachineDataGoesToTheTop) {
   const Workbench bench;
-  bench.write("up.nc",
-              "G21 G90 G17\nT1 M6\nG53 G0 Z0.\nG54 G0 X5 Y5 S5000 M3\nG0 Z15\nG1 Z8 F300\nX15\nG53 G0 Z-100.\nM30\n");
+  bench.write(
+      "up.nc",
+      "G21 G90 G17\nT1 M6\nG53 G0 Z0.\nG54 G0 X5 Y5 S5000 M3\nG0 Z15\nG1 Z8 F300\nX15\nG53 G0 Z-100.\nM30\n");
   const Outcome outcome =
       bench.run("run up.nc --control nct --stock box:0,0,0:20,10,10 --tool 1=flat:6 --no-render --out up");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "removed 176.5")) << outcome.out;
   EXPECT_TRUE(has(outcome.err, "[offsets.work]")) << "the key to enter";
-  EXPECT_TRUE(has(outcome.out, "0 errors, 1 warning or note")) << "the control's warnings count\n" << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "0 errors, 1 warning or note")) << "the control's warnings count\n"
+                                                               << outcome.out;
 }
 
 TEST(Commands, HelpAndVersion) {

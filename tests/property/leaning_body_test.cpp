@@ -47,7 +47,8 @@ struct Case {
 
 class Reference {
  public:
-  Reference(const test::DrawnOutline& outline, const Case& of) : outline_(outline), case_(of), length_(of.length()) {}
+  Reference(const test::DrawnOutline& outline, const Case& of)
+      : outline_(outline), case_(of), length_(of.length()) {}
 
   double toolDistance(const Vec3& p, double t) const {
     const Vec3 q = p - case_.at(t);

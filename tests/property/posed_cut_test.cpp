@@ -95,9 +95,9 @@ TEST(PosedSweep, AStandingToolOverATurningTableCutsARing) {
   for (const char* const option : {"1=bull:8:1.5", "1=flat:6", "1=ball:6"}) {
     const ToolSolid solid = makeToolSolid(test::tool(option));
     for (const double turn : {360.0, -250.0, 1000.0}) {
-      const test::PosedMotion m = test::axesMotion(
-          test::trunnion('A'), test::axesAt(origin + Vec3(9.0, 2.0, 55.0), 0.0, 10.0),
-          test::axesAt(origin + Vec3(9.0, 2.0, 55.0), 0.0, 10.0 + turn), 50.0, origin);
+      const test::PosedMotion m =
+          test::axesMotion(test::trunnion('A'), test::axesAt(origin + Vec3(9.0, 2.0, 55.0), 0.0, 10.0),
+                           test::axesAt(origin + Vec3(9.0, 2.0, 55.0), 0.0, 10.0 + turn), 50.0, origin);
       // The table turns left-handed: the tool goes round it the other way than it says.
       ArcGeometry arc;
       arc.center = Vec3(0.0, 0.0, m.motion.from.z());
@@ -114,7 +114,8 @@ TEST(PosedSweep, AStandingToolOverATurningTableCutsARing) {
       test::RandomMoves moves(5);
       for (int i = 0; i < 300; ++i) {
         const Vec3 p = m.motion.from.z() * Vec3::UnitZ() + 2.0 * moves.point();
-        ASSERT_NEAR(posed.distance(p, kInf), ring.distance(p, kInf), 1e-7) << option << ' ' << turn << " at " << p.transpose();
+        ASSERT_NEAR(posed.distance(p, kInf), ring.distance(p, kInf), 1e-7)
+            << option << ' ' << turn << " at " << p.transpose();
       }
     }
   }
@@ -123,8 +124,9 @@ TEST(PosedSweep, AStandingToolOverATurningTableCutsARing) {
 /// A rotary axis turns a bar under an end mill that goes along it.
 test::PosedMotion turnedBar(double radius, double from, double to, double turns) {
   const Vec3 origin(400.0, 300.0, -500.0);  // the table's axis A goes through it
-  return test::axesMotion(test::trunnion('A'), test::axesAt(origin + Vec3(from, 0.0, radius + 50.0), 0.0, 0.0),
-                          test::axesAt(origin + Vec3(to, 0.0, radius + 50.0), 360.0 * turns, 0.0), 50.0, origin);
+  return test::axesMotion(
+      test::trunnion('A'), test::axesAt(origin + Vec3(from, 0.0, radius + 50.0), 0.0, 0.0),
+      test::axesAt(origin + Vec3(to, 0.0, radius + 50.0), 360.0 * turns, 0.0), 50.0, origin);
 }
 
 TEST(PosedSweep, AnEndMillTurnsACylinder) {

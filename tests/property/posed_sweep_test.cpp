@@ -74,8 +74,7 @@ class Reference {
     const double way = mostWay(p, s0, s1);
     if (d0 + d1 - way >= 0.0 || way < 1e-6) return false;
     const double middle = 0.5 * (s0 + s1), d = toolDistance(p, middle);
-    return d < 0.0 || holdsBetween(p, s0, d0, middle, d) ||
-           holdsBetween(p, middle, d, s1, d1);
+    return d < 0.0 || holdsBetween(p, s0, d0, middle, d) || holdsBetween(p, middle, d, s1, d1);
   }
   void lower(const Vec3& p, double s0, double d0, double s1, double d1, double& best) const {
     const double way = mostWay(p, s0, s1);
@@ -99,7 +98,8 @@ struct Bodies {
     for (const ConvexProfile& part : parts) solids.push_back(columnSolid(part));
     BodyMaker maker(path, 1.0, 100.0, store);
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      for (const MotionBody& made : maker.make(0, {&parts[k], &solids[k], true, true})) all.push_back(made.body);
+      for (const MotionBody& made : maker.make(0, {&parts[k], &solids[k], true, true}))
+        all.push_back(made.body);
       fields.push_back(motionField(parts[k], wayOf(path, path.motions[0])));
     }
   }
@@ -140,7 +140,7 @@ class PosedSweeps : public ::testing::TestWithParam<std::size_t> {
   Vec3 within(double most) { return {random(-most, most), random(-most, most), random(-most, most)}; }
   Vec3 direction() { return within(1.0).normalized(); }
   MachineModel machine(int kind) {
-    return kind == 0 ? test::headHead('B', {10, 0, 150}, {0, 25, 60})
+    return kind == 0   ? test::headHead('B', {10, 0, 150}, {0, 25, 60})
            : kind == 1 ? test::trunnion('A')
                        : test::headTable();
   }
@@ -153,8 +153,9 @@ class PosedSweeps : public ::testing::TestWithParam<std::size_t> {
     const Vec3 place = origin + within(15.0);
     const double up = kind == 1 ? length : length + 20.0;
     const AxisPoint a = test::axesAt(place + Vec3(0, 0, up), first, second);
-    const AxisPoint b = test::axesAt(place + Vec3(0, 0, up) + within(8.0), first + random(-0.5, 0.5) * std::min(turn, 90.0),
-                                     second + random(-0.5, 0.5) * turn);
+    const AxisPoint b =
+        test::axesAt(place + Vec3(0, 0, up) + within(8.0), first + random(-0.5, 0.5) * std::min(turn, 90.0),
+                     second + random(-0.5, 0.5) * turn);
     return test::axesMotion(machine(kind), a, b, length, origin);
   }
   test::PosedMotion motion(int i) {
@@ -216,25 +217,27 @@ TEST_P(PosedSweeps, NoPointIsOnTheWrongSide) {
       for (const auto& s : covered) {
         for (const double z : s) {
           off_ends = std::max(off_ends, std::abs(reference.distance({at.x(), at.y(), z}, kInf)));
-          ASSERT_LE(off_ends, slack) << drawing.name << ", motion " << i << ", column " << at.transpose() << ", end " << z
-              << " engine " << bodies.distance({at.x(), at.y(), z});
+          ASSERT_LE(off_ends, slack) << drawing.name << ", motion " << i << ", column " << at.transpose()
+                                     << ", end " << z << " engine " << bodies.distance({at.x(), at.y(), z});
           heights.push_back(z + random(-0.02, 0.02));
         }
       }
       for (const double z : heights) {
         const Vec3 p(at.x(), at.y(), z);
-        const bool in = std::any_of(covered.begin(), covered.end(),
-                                    [&](const auto& s) { return s[0] < z && z < s[1]; });
+        const bool in =
+            std::any_of(covered.begin(), covered.end(), [&](const auto& s) { return s[0] < z && z < s[1]; });
         ++samples;
         inside += in ? 1 : 0;
         const double said = bodies.distance(p), least = reference.distance(p, said + 1.0);
         if (reference.holds(p) != in) wrong = std::max(wrong, std::abs(least));
-        ASSERT_LE(wrong, slack) << drawing.name << ", motion " << i << " at " << p.transpose() << " engine " << said;
+        ASSERT_LE(wrong, slack) << drawing.name << ", motion " << i << " at " << p.transpose() << " engine "
+                                << said;
         // Parts are asked one by one: where they meet the depth of all together is more.
-        if (said > 0.0 || solid.cutter.size() == 1) off_distance = std::max(off_distance, std::abs(said - least));
-        ASSERT_LE(off_distance, slack + kProvenMm) << drawing.name << ", motion " << i << " at " << p.transpose();
-        if (in)
-          beyond = std::max({beyond, (box.min - p).maxCoeff(), (p - box.max).maxCoeff()});
+        if (said > 0.0 || solid.cutter.size() == 1)
+          off_distance = std::max(off_distance, std::abs(said - least));
+        ASSERT_LE(off_distance, slack + kProvenMm)
+            << drawing.name << ", motion " << i << " at " << p.transpose();
+        if (in) beyond = std::max({beyond, (box.min - p).maxCoeff(), (p - box.max).maxCoeff()});
         // The gradient leads to the surface.
         if (said > 0.01 && said < 5.0) {
           const SweepSample s = bodies.sample(p);
@@ -247,9 +250,11 @@ TEST_P(PosedSweeps, NoPointIsOnTheWrongSide) {
   EXPECT_GT(inside, samples / 50);
   EXPECT_LE(beyond, 0.0);
   EXPECT_LE(aside, slack);
-  std::printf("%s: %d columns, %d samples, %d inside; largest error %.3g mm, of ends of columns %.3g mm, of distances "
-              "%.3g mm, of feet %.3g mm\n",
-              drawing.name.c_str(), columns, samples, inside, wrong, off_ends, off_distance, aside);
+  std::printf(
+      "%s: %d columns, %d samples, %d inside; largest error %.3g mm, of ends of columns %.3g mm, of "
+      "distances "
+      "%.3g mm, of feet %.3g mm\n",
+      drawing.name.c_str(), columns, samples, inside, wrong, off_ends, off_distance, aside);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tools, PosedSweeps, ::testing::Range(std::size_t{0}, test::drawings(1).size()));

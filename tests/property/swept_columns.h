@@ -29,8 +29,8 @@ inline void expectReach(const SweptBody& body, double x, double y, double lo, do
 }
 
 /// The intervals of a column, low and high; those that are no farther from each other than `gap` are one.
-inline std::vector<std::array<double, 2>> columnSpans(const std::vector<SweptBody>& bodies, double x, double y,
-                                                      double gap) {
+inline std::vector<std::array<double, 2>> columnSpans(const std::vector<SweptBody>& bodies, double x,
+                                                      double y, double gap) {
   std::vector<std::array<double, 2>> out;
   for (const SweptBody& body : bodies) {
     std::array<double, 8> xs, ys, lo, hi;

@@ -64,7 +64,8 @@ inline PosedMotion axesMotion(const MachineModel& machine, const AxisPoint& from
 }
 
 /// The tip on a line, the axis turning in one plane.
-inline PosedMotion vectorMotion(const Vec3& from, const Vec3& to, const Vec3& axis_from, const Vec3& axis_to) {
+inline PosedMotion vectorMotion(const Vec3& from, const Vec3& to, const Vec3& axis_from,
+                                const Vec3& axis_to) {
   PosedMotion m;
   m.motion.from = from;
   m.motion.to = to;

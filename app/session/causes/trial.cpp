@@ -126,9 +126,7 @@ std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) 
   Toolpath& path = out.interpreted.path;
   if (out.interpreted.outgrown_at || !out.interpreted.summary.ok()) return std::nullopt;
   addOffsetTools(path, out.part.tools);
-  if (!assignTools(path, out.part.tools, source) ||
-      !checkRotaryMotions(path, source))
-    return std::nullopt;
+  if (!assignTools(path, out.part.tools, source) || !checkRotaryMotions(path, source)) return std::nullopt;
   return out;
 }
 

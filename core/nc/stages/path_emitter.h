@@ -167,7 +167,9 @@ class PathEmitter {
   void sendFollowed(const Motion& motion, const PoseTrack& track);
   MotionPace trackPace(const PoseTrack& track, const FeedStyle* style) const;
   PoseSweep poseTowards(const AxisPoint& to) const;
-  ToolPose toolPose(const AxisPoint& machine) const { return {toolPoint(machine), chain_->toolAxis(machine)}; }
+  ToolPose toolPose(const AxisPoint& machine) const {
+    return {toolPoint(machine), chain_->toolAxis(machine)};
+  }
   void takeChain(const MachineModel& model);
   void placeTool();
   void furtherArc(const AxisPoint& to, const MachineArc& arc, const FeedStyle& style,

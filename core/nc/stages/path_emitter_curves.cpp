@@ -109,7 +109,8 @@ void PathEmitter::sendCurve(const Motion& whole, const MachineCurve& at, const A
                 kCurveChordMm, piece);
     return;
   }
-  const bool upright = chain_->toolAxis(start) == Vec3::UnitZ() && chain_->toolAxis(at(0.618)) == Vec3::UnitZ();
+  const bool upright =
+      chain_->toolAxis(start) == Vec3::UnitZ() && chain_->toolAxis(at(0.618)) == Vec3::UnitZ();
   const int pieces = upright ? 1 : piecesOf(turned, kAxisTurnRad);
   for (int k = 1; k <= pieces; ++k) piece(static_cast<double>(k) / pieces);
 }
@@ -157,7 +158,8 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
   m.feed = style.feed;
   m.time_s = 60.0 * way.pacedLength(style, axes_.count(), style.slaves) / style.feed;
   m.source = source;
-  sendCurve(m, [&way](double t) { return way.at(t); }, &guess);
+  sendCurve(
+      m, [&way](double t) { return way.at(t); }, &guess);
 }
 
 /// Duration of a feed motion in a polar plane, min; `others` is the way of the axes outside it.

@@ -11,8 +11,8 @@ namespace {
 
 /// A way this near to its law follows it: rounding noise of the coordinates.
 constexpr double kLawMm = 1e-7;
-/// Where the control's data are not the machine's, its way goes by pieces that are this near to it. A point of
-/// the tool so far from the tip counts as well.
+/// Where the control's data are not the machine's, its way goes by pieces that are this near to it. A point
+/// of the tool so far from the tip counts as well.
 constexpr double kPieceMm = 5e-5, kReachMm = 100.0;
 constexpr int kMostHalvings = 12;
 /// Axes of a tool that differ less are one.
@@ -44,8 +44,7 @@ void PathEmitter::sendByAxes(Motion motion, const AxisPoint& to) {
   AxisSweep sweep = *sweepTo(to);
   sweep.law = PoseLaw::kAxes;
   sweep.pose = std::make_shared<const PoseSweep>(poseTowards(to));
-  const double length =
-      motion.kind == MotionKind::kRapid ? 0.0 : PosedWay(motion, nullptr, sweep).length();
+  const double length = motion.kind == MotionKind::kRapid ? 0.0 : PosedWay(motion, nullptr, sweep).length();
   sendPiece(motion, to, nullptr, length, &sweep);
 }
 
@@ -61,9 +60,9 @@ MotionPace PathEmitter::trackPace(const PoseTrack& track, const FeedStyle* style
     AxisPoint direction;
     for (int k = 0; k < axes_.count(); ++k) {
       const double way = kSpeedSteps * std::abs(next[k] - last[k]);  // were it so all the time
-      const double fastest = style != nullptr   ? time_.limits().axes[static_cast<std::size_t>(k)].max_feed
-                             : k < kMainAxes    ? settings_.rapid_mm_min[k]
-                                                : axes_.at(k).rapid;
+      const double fastest = style != nullptr ? time_.limits().axes[static_cast<std::size_t>(k)].max_feed
+                             : k < kMainAxes  ? settings_.rapid_mm_min[k]
+                                              : axes_.at(k).rapid;
       if (fastest > 0.0) minutes = std::max(minutes, way / fastest);
       most[k] = std::max(most[k], way / pace.length);
       direction[k] = kSpeedSteps * (next[k] - last[k]) / pace.length;

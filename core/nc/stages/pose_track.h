@@ -16,11 +16,12 @@ struct PoseTrack {
   PoseLaw law = PoseLaw::kTip;  ///< kTip, kVector on lines, kCone on arcs
   /// Machine positions of all axes at a share of the way, 0 to 1.
   std::function<AxisPoint(double)> at;
-  double length = 0.0;   ///< of the tool, mm: what the control adds along it
-  double held_mm = 0.0;  ///< from the point that is held on the way to the tip, along the tool; 0: it is the tip
+  double length = 0.0;  ///< of the tool, mm: what the control adds along it
+  double held_mm =
+      0.0;  ///< from the point that is held on the way to the tip, along the tool; 0: it is the tip
   double tip_mm = 0.0;  ///< length of the tip's way
-  /// Of arcs: where the linear axes would be with the tip at the centre, and a millimetre from there along the
-  /// normal; both with the rotary axes as at the start.
+  /// Of arcs: where the linear axes would be with the tip at the centre, and a millimetre from there along
+  /// the normal; both with the rotary axes as at the start.
   struct Arc {
     AxisPoint center, above;
     double sweep_rad = 0.0;  ///< about the normal, right-handed

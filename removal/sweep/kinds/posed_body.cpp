@@ -51,8 +51,8 @@ ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   return {meeting.span().lo + pose.tip.z(), meeting.span().hi + pose.tip.z()};
 }
 
-/// Heights between which anything of the part may be over the line, `slack` mm wider, in a share of the stretch
-/// about a pose. What is higher on the tool moves farther, so that all of it lies in a cone.
+/// Heights between which anything of the part may be over the line, `slack` mm wider, in a share of the
+/// stretch about a pose. What is higher on the tool moves farther, so that all of it lies in a cone.
 ColumnSpan PosedPiece::spanAround(double x, double y, double t, double share, double slack) const {
   const ConvexProfile& part = sweep_->profile();
   const double r = part.maxRadius(), low = part.zMin(), high = part.zMax();
@@ -62,8 +62,10 @@ ColumnSpan PosedPiece::spanAround(double x, double y, double t, double share, do
   ConvexProfile around;
   if (low >= 0.0) {
     const double first = low - base - turn * low, last = high + base + turn * high;
-    const double narrow = r + base + slope * std::max(0.0, first + base), wide = r + base + slope * (last + base);
-    around.start(0.0, first), around.lineTo(narrow, first), around.lineTo(wide, last), around.lineTo(0.0, last);
+    const double narrow = r + base + slope * std::max(0.0, first + base),
+                 wide = r + base + slope * (last + base);
+    around.start(0.0, first), around.lineTo(narrow, first), around.lineTo(wide, last),
+        around.lineTo(0.0, last);
   } else {
     const double grown = base + turn * std::max(-low, std::abs(high));
     around.start(0.0, low - grown), around.lineTo(r + grown, low - grown);

@@ -260,10 +260,11 @@ TEST(BodyWall, NobodyElseAsksWhatKindABodyIs) {
     const std::string all = contentOf(file);
     const bool within = file.starts_with("removal/sweep/");
     for (const char* name :
-         {"LineBody",   "ChordBody", "LevelArcBody", "TurnBody",       "UprightBody",   "WayBody",
-          "BodyKind",   "LineSweep", "ArcSweep",     "TurnSweep",      "UprightSweep",  "WaySweep",
-          "columnLine", "columnArc", "columnTurns",  "columnUprights", "columnParts",   "CurveWay",
-          "kernelsOf",  "round_top", "LeanLine",     "LeanArc",        "LeanChordBody", "LineMeeting", "PosedBody", "PosedPiece", "PosedTrack"}) {
+         {"LineBody",   "ChordBody",  "LevelArcBody", "TurnBody",       "UprightBody",   "WayBody",
+          "BodyKind",   "LineSweep",  "ArcSweep",     "TurnSweep",      "UprightSweep",  "WaySweep",
+          "columnLine", "columnArc",  "columnTurns",  "columnUprights", "columnParts",   "CurveWay",
+          "kernelsOf",  "round_top",  "LeanLine",     "LeanArc",        "LeanChordBody", "LineMeeting",
+          "PosedBody",  "PosedPiece", "PosedTrack"}) {
       const bool named = all.find(name) != std::string::npos;
       if (within) kinds += named ? 1 : 0;
       EXPECT_TRUE(within || !named) << file << ": " << name;

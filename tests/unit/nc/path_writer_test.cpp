@@ -68,7 +68,8 @@ TEST(PathWriter, RotaryAxesAndTurningTools) {
   const std::string text = out.str();
   EXPECT_NE(text.find(R"("to":[0,0,0],"rotary":{"C":[0,90],"B2":[-1.5,-1.5]},"feed":0)"), std::string::npos)
       << text;
-  EXPECT_NE(text.find(R"("axis_from":[0,0,1],"axis_to":[1,0,0],"law":"vector","feed":0)"), std::string::npos) << text;
+  EXPECT_NE(text.find(R"("axis_from":[0,0,1],"axis_to":[1,0,0],"law":"vector","feed":0)"), std::string::npos)
+      << text;
   EXPECT_NE(text.find(R"("time_s":0,"channel":2,"source")"), std::string::npos) << text;
 }
 

@@ -21,9 +21,9 @@ void expectNear(const Vec3& a, const Vec3& b, double most = 9e-5) {
 
 TEST(PosedWay, AxesGoLinearly) {
   // 25.14, N30 without tool centre point control.
-  const PosedWay cb =
-      axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30), axesAt({236.7767, 60, 16.7767}, 0, 45), 100)
-          .way();
+  const PosedWay cb = axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30),
+                                 axesAt({236.7767, 60, 16.7767}, 0, 45), 100)
+                          .way();
   expectNear(cb.at(0.5).tip, {58.6980, 0, -11.6968}, 1e-4);
   expectNear(cb.at(0.0).tip, {60, -60, -10}, 1e-4);
 }
@@ -70,14 +70,16 @@ std::vector<PosedMotion> cases() {
   const auto random = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine);
   };
-  const auto point = [&](double most) { return Vec3(random(-most, most), random(-most, most), random(-most, most)); };
+  const auto point = [&](double most) {
+    return Vec3(random(-most, most), random(-most, most), random(-most, most));
+  };
   const auto direction = [&] { return Vec3(random(-1, 1), random(-1, 1), random(0.3, 1)); };
   for (int i = 0; i < 60; ++i) {
     const MachineModel machine = i % 3 == 0   ? test::headHead('B', {10, 0, 150}, {0, 25, 60})
                                  : i % 3 == 1 ? test::trunnion('A')
                                               : test::headTable();
     PosedMotion axes = axesMotion(machine, axesAt(point(100), random(-90, 90), random(-200, 200)),
-                         axesAt(point(100), random(-90, 90), random(-1500, 1500)), random(0, 150));
+                                  axesAt(point(100), random(-90, 90), random(-1500, 1500)), random(0, 150));
     PosedMotion tip = axes;
     tip.axis.law = PoseLaw::kTip;
     PosedMotion vector = vectorMotion(point(50), point(50), direction(), direction());
@@ -117,15 +119,18 @@ TEST(PosedWay, DerivativesAreThoseOfDifferencesAndKeepTheirBounds) {
       const PosedWay::Bounds bounds = way.boundsOn(low, high);
       const double scale = 1.0 + bounds.tip.acceleration;
       EXPECT_LT((m.rates.tip - (b.tip - a.tip) / (2 * kStep)).norm(), 1e-7 * scale * 10);
-      EXPECT_LT((m.rates.axis - (b.axis - a.axis) / (2 * kStep)).norm(), 1e-6 * (1 + bounds.axis.acceleration));
+      EXPECT_LT((m.rates.axis - (b.axis - a.axis) / (2 * kStep)).norm(),
+                1e-6 * (1 + bounds.axis.acceleration));
       EXPECT_LE(m.rates.tip.norm(), bounds.tip.velocity * (1 + 1e-12));
       EXPECT_LE(m.rates.axis.norm(), bounds.axis.velocity * (1 + 1e-12));
       const Vec3 tip2 = (way.movingAt(t + kStep).rates.tip - way.movingAt(t - kStep).rates.tip) / (2 * kStep);
-      const Vec3 axis2 = (way.movingAt(t + kStep).rates.axis - way.movingAt(t - kStep).rates.axis) / (2 * kStep);
+      const Vec3 axis2 =
+          (way.movingAt(t + kStep).rates.axis - way.movingAt(t - kStep).rates.axis) / (2 * kStep);
       EXPECT_LE(tip2.norm(), bounds.tip.acceleration * (1 + 1e-5) + 1e-4);
       EXPECT_LE(axis2.norm(), bounds.axis.acceleration * (1 + 1e-5) + 1e-4);
       const Box3 box = way.tipBounds(low, high).inflated(1e-9);
-      EXPECT_TRUE((box.min.array() <= m.pose.tip.array()).all() && (box.max.array() >= m.pose.tip.array()).all());
+      EXPECT_TRUE((box.min.array() <= m.pose.tip.array()).all() &&
+                  (box.max.array() >= m.pose.tip.array()).all());
     }
   }
 }
@@ -146,7 +151,8 @@ TEST(PosedWay, LengthIsThatOfManyChords) {
 }
 
 TEST(PosedWay, ThePathKnowsTipsThatLeaveTheirLine) {
-  const PosedMotion c = axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30), axesAt({236.7767, 60, 16.7767}, 0, 45), 100);
+  const PosedMotion c = axesMotion(test::machineCB(), axesAt({185, -60, 56.5064}, 0, 30),
+                                   axesAt({236.7767, 60, 16.7767}, 0, 45), 100);
   Toolpath path;
   ToolpathBuilder(path).motion(c.motion, nullptr, &c.axis);
   const Motion& m = path.motions[0];

@@ -80,7 +80,8 @@ void expectPrism(const Outcome& out, const char* what) {
   ASSERT_EQ(out.error, "") << what;
   const double s30 = 0.5, c30 = std::sqrt(0.75), r = std::sqrt(0.5);
   expectPose(poseAt(out, 2, 1), {60, -60, -10}, {s30, 0, c30}, what);
-  expectPose(poseAt(out, 3, 0.5), {60, 0, -10}, {std::sin(degToRad(37.5)), 0, std::cos(degToRad(37.5))}, what);
+  expectPose(poseAt(out, 3, 0.5), {60, 0, -10}, {std::sin(degToRad(37.5)), 0, std::cos(degToRad(37.5))},
+             what);
   expectPose(poseAt(out, 3, 1), {60, 60, -10}, {r, 0, r}, what);
   expectPose(poseAt(out, 4, 0.5), {60, 60, -10}, {0.5, 0.5, r}, what);
   expectPose(poseAt(out, 5, 1), {-60, 60, -10}, {0, s30, c30}, what);
@@ -151,10 +152,10 @@ TEST(ShankControl, TheToolTurnsInThePyramidsFace) {
 
 TEST(ShankControl, AConeIsFollowedByItsAzimuth) {
   for (const char which : {'H', 'M', 'T'}) {
-    const Outcome out =
-        runOf("G17 G54 G49 X-50 Y-50 Z100\nG43.5 P1 H1 X0 Y0 I0 J0 K40 S1000 M3\nG1 Z0 F500\nX100 I-20 J0 K40\n"
-              "G3 X0 Y100 R100 I0 J-20 K40\nG1 Y0 I0 J0 K40\nG0 X-50 Y-50\nG49 Z100",
-              machineOf(which));
+    const Outcome out = runOf(
+        "G17 G54 G49 X-50 Y-50 Z100\nG43.5 P1 H1 X0 Y0 I0 J0 K40 S1000 M3\nG1 Z0 F500\nX100 I-20 J0 K40\n"
+        "G3 X0 Y100 R100 I0 J-20 K40\nG1 Y0 I0 J0 K40\nG0 X-50 Y-50\nG49 Z100",
+        machineOf(which));
     ASSERT_EQ(out.error, "") << which;
     expectPose(poseAt(out, 5, 0.25), {92.3880, 38.2683, 0}, {-0.4132, -0.1711, 0.8944}, "quarter");
     expectPose(poseAt(out, 5, 0.5), {70.7107, 70.7107, 0}, {-0.3162, -0.3162, 0.8944}, "middle");
@@ -169,9 +170,10 @@ TEST(ShankControl, AnglesAreRefusedThatLeaveThePlane) {
   const Outcome wrong = runOf(head + "X100 Y100 B-90 C-90", machineOf('H'));
   EXPECT_NE(wrong.error.find("2192"), std::string::npos) << wrong.error;
   EXPECT_NE(wrong.error.find("-90"), std::string::npos) << wrong.error;
-  const Outcome opposite = runOf("G54 G0 X0 Y0 Z0\nG43.5 P1 H1\nG1 F500 X100 Y100 I-20 J-20 K40\n"
-                                 "Y-100 I20 J20 K-40",
-                                 machineOf('H'));
+  const Outcome opposite = runOf(
+      "G54 G0 X0 Y0 Z0\nG43.5 P1 H1\nG1 F500 X100 Y100 I-20 J-20 K40\n"
+      "Y-100 I20 J20 K-40",
+      machineOf('H'));
   EXPECT_NE(opposite.error.find("2192"), std::string::npos) << opposite.error;
 }
 

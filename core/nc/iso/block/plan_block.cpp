@@ -319,7 +319,8 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   const int mode = next.active[kGroupLengthComp];
   if (code && !holdsTip(mode) && mode != gcode::kLengthOff && next.five.tip != TipControl::kOff)
     return c.fail("tcp-definition", fmt::format("{} cannot follow tool centre point control at once: program "
-                                                "G49 first", gName(mode)));
+                                                "G49 first",
+                                                gName(mode)));
   if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
     return c.alarm(SharedAlarm::kInSmoothing, code ? gName(code->code10) : "H");
   }

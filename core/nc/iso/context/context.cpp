@@ -102,7 +102,8 @@ CoordinateChain IsoContext::chainOf(const IsoState& s, const AxisPoint& at) cons
     const AxisPoint& row = registers.dynamic_zeros[static_cast<std::size_t>(s.five.dynamic_zero - 1)];
     const RotaryAngles measured = five_axes.at(row);
     if (s.five.turnsWithTable()) {
-      spatial.zero = five_axes.workpieceOnTable(angles, five_axes.dynamicZero(measured, row.xyz, measured), measured);
+      spatial.zero =
+          five_axes.workpieceOnTable(angles, five_axes.dynamicZero(measured, row.xyz, measured), measured);
     } else {
       spatial.zero.offset = five_axes.dynamicZero(angles, row.xyz, measured);
     }

@@ -63,8 +63,8 @@ bool ShankTrack::startsAt(const RotaryAngles& start) {
   // What is free there may be anywhere: a position asked for from elsewhere shows it.
   const auto here = nearest(0.0, start);
   if (!here) return false;
-  const bool alike = std::abs(here->first - start.first) < kSameDeg &&
-                     std::abs(here->second - start.second) < kSameDeg;
+  const bool alike =
+      std::abs(here->first - start.first) < kSameDeg && std::abs(here->second - start.second) < kSameDeg;
   const FiveAxisModel::Positions one = model_.positionsFor(directionAt(0.0), start),
                                  other = model_.positionsFor(directionAt(0.0),
                                                              {start.first + 50.0, start.second + 70.0});
@@ -104,9 +104,10 @@ std::optional<ShankTrack> trackShank(IsoContext& c, const BlockPlan& plan) {
   const bool by_vector = plan.next.five.tip == TipControl::kVector;
   const auto refuse = [&](double angle) {
     c.alarm(SharedAlarm::kInclination, fmt::format("{:g}", angle),
-            by_vector ? "the directions at start and end of the block span no plane that the tool can turn in"
-                      : "the programmed angles are not where the tool comes to by turning in the plane of its "
-                        "directions");
+            by_vector
+                ? "the directions at start and end of the block span no plane that the tool can turn in"
+                : "the programmed angles are not where the tool comes to by turning in the plane of its "
+                  "directions");
     return std::nullopt;
   };
   const double angle = std::atan2(sweep.from.cross(sweep.to).norm(), sweep.from.dot(sweep.to));

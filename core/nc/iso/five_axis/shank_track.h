@@ -1,5 +1,5 @@
-// Shank control (P1 of G43.4 and G43.5): the tool's direction turns in the plane of its ends, or with the arc,
-// and the rotary axes follow it (manual 25.16).
+// Shank control (P1 of G43.4 and G43.5): the tool's direction turns in the plane of its ends, or with the
+// arc, and the rotary axes follow it (manual 25.16).
 #pragma once
 
 #include <array>

@@ -62,8 +62,9 @@ bool checkMode(IsoContext& c, const BlockPlan& plan, const char* name) {
   if (plan.next.inCycle())
     return c.fail("tcp-definition", fmt::format("cycles cannot run under {}: program G49 first", name));
   if (plan.next.compOn())
-    return c.fail("tcp-definition",
-                  fmt::format("cutter compensation (G41, G42) cannot be on under {}: program G40 first", name));
+    return c.fail(
+        "tcp-definition",
+        fmt::format("cutter compensation (G41, G42) cannot be on under {}: program G40 first", name));
   return true;
 }
 

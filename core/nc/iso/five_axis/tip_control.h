@@ -18,8 +18,8 @@ bool namesMotion(const IsoContext& c, const BlockPlan& plan);
 /// After the axis words of a block under G43.5: the rotary axes where the tool has the programmed direction.
 /// False: an error was reported.
 bool takeToolVector(IsoContext& c, BlockPlan& plan, AxisPoint& target);
-/// Of the two positions for a direction (workpiece frame, tables at 0) the one that the control takes (25.11).
-/// None: reported.
+/// Of the two positions for a direction (workpiece frame, tables at 0) the one that the control takes
+/// (25.11). None: reported.
 std::optional<RotaryAngles> chooseAngles(IsoContext& c, const Vec3& tool_vector);
 /// Whether the block turns a rotary axis while the tip is held on its way.
 bool turnsAboutTip(const IsoContext& c, const BlockPlan& plan);

@@ -50,8 +50,7 @@ double TipWay::length() const {
   }
   if (!plan_.motion.is_arc) return (c_.chain.workOf(end).xyz - c_.chain.workOf(from_).xyz).norm();
   const PlaneArc& arc = plan_.motion.arc;
-  return scale() *
-         arcLength(arc.startRadius(), arc.endRadius(), arc.sweep_rad, arc.end.z() - arc.start.z());
+  return scale() * arcLength(arc.startRadius(), arc.endRadius(), arc.sweep_rad, arc.end.z() - arc.start.z());
 }
 
 /// Of the program's scaling: arcs keep to the same factor in all directions.

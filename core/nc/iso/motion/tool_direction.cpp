@@ -19,7 +19,8 @@ namespace {
 bool mayTurn(IsoContext& c, const BlockPlan& plan, const char* name) {
   const FiveAxisState& five = plan.next.five;
   if (!five.tilted)
-    return c.alarm(SharedAlarm::kNoTilt, "", fmt::format("{} needs a tilted plane: program G68.2 first", name));
+    return c.alarm(SharedAlarm::kNoTilt, "",
+                   fmt::format("{} needs a tilted plane: program G68.2 first", name));
   if (c.state.compOn())
     return c.fail("tilt-in-comp",
                   fmt::format("{} cannot turn the tool while cutter compensation (G41, G42) is on", name));

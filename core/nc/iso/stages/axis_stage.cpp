@@ -94,7 +94,8 @@ void AxisStage::putOnAxes(PathItem& item) const {
 bool AxisStage::pushChords(const PathItem& item, const AxisPoint& from, const AxisPoint& to) {
   const AxisArc arc(from, to, {item.center, item.normal, item.sweep, item.plane});
   AxisSet apart;
-  for (int name = 0; name < axes_.count(); ++name) apart.set(static_cast<std::size_t>(name), map_.isSlave(name));
+  for (int name = 0; name < axes_.count(); ++name)
+    apart.set(static_cast<std::size_t>(name), map_.isSlave(name));
   const double paced = arc.pacedLength(item.feed, axes_.count(), apart);
   double done = 0.0;
   bool good = true;
