@@ -252,7 +252,7 @@ void followMasters(IsoContext& c) {
 }
 
 bool checkAxisModes(IsoContext& c, const BlockPlan& plan) {
-  if (c.axisMap().onlyDrives()) return true;
+  if (!c.stages.axes.linked() || c.axisMap().onlyDrives()) return true;  // nearly always the first
   if (plan.next.axes.mode != VirtualMode::kOff)
     return c.fail("axis-mode",
                   "G12.1 and G7.1 are not simulated while axes are exchanged, reversed, coupled or "

@@ -458,7 +458,6 @@ bool checkWords(IsoContext& c, const BlockPlan& plan) {
 
 bool planBlock(IsoContext& c, BlockPlan& plan) {
   c.asked = {};
-  plan.next = c.state;
   plan.start = c.position;
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
   if (const Word* e = c.block.find('E')) plan.next.last.e = e->value;

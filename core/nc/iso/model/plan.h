@@ -78,7 +78,8 @@ struct WordPatterns {
 };
 
 struct BlockPlan {
-  BlockPlan() = default;
+  /// `state`: of the control before the block.
+  explicit BlockPlan(const IsoState& state) : next(state) {}
   BlockPlan(const BlockPlan&) = delete;  // `chain` may point into it
   BlockPlan& operator=(const BlockPlan&) = delete;
 

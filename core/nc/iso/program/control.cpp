@@ -227,8 +227,9 @@ Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& open) {
 
 Go IsoControl::execute() {
   IsoContext& c = context_;
-  BlockPlan plan;
-  const bool good = subprograms_.take(c) && takeInterruptWords() && planBlock(c, plan) && perform(c, plan);
+  const bool taken = subprograms_.take(c) && takeInterruptWords();
+  BlockPlan plan(c.state);
+  const bool good = taken && planBlock(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   run_.blockDone();  // a called subprogram still runs
