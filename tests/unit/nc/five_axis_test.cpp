@@ -147,6 +147,29 @@ TEST(LengthAlongTool, AWrongLengthShowsInThePath) {
   expectTip(out, 3, {0, 10, 100});
 }
 
+/// G43 with a head that leans: the first feed is told of, once; not with the tool along Z, not with G43.1,
+/// not behind G53.1, not on tables.
+TEST(LengthAlongTool, ALengthBesideTheToolIsTold) {
+  const auto lineTold = [](const std::string& program, const MachineModel& machine) {
+    const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100\n" + program, settingsOf(machine, Vec3::Zero()));
+    EXPECT_EQ(out.error, "") << program;
+    int line = 0;
+    for (const Diagnostic& d : out.path.diagnostics.all()) {
+      if (d.code != "nct-length-beside-tool") continue;
+      EXPECT_EQ(line, 0) << program;
+      line = d.where.line;
+    }
+    return line;
+  };
+  EXPECT_EQ(lineTold("B30 C0\nG43 Z50 H1\nG1 X5 F100\nX6", test::machineCB()), 4);
+  EXPECT_EQ(lineTold("G43 Z50 H1\nG1 X5 F100\nX9 B10", test::headTable()), 4);
+  EXPECT_EQ(lineTold("C30\nG43 Z50 H1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("B30\nG43.1 Z50 H1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("B30\nG43 Z50 H1\nX5", test::machineCB()), 0);  // in the air
+  EXPECT_EQ(lineTold("G43 Z50 H1\nG68.2 I90 J30\nG53.1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("A30\nG43 Z50 H1\nG1 X5 F100", test::trunnion('A')), 0);
+}
+
 /// The tip that a block behind `frame` at X Y Z gives.
 Vec3 throughFrame(const std::string& frame, const Vec3& p) {
   const Outcome out = runOf(frame + fmt::format("\nG0 X{} Y{} Z{}", p.x(), p.y(), p.z()),

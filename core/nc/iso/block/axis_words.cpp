@@ -138,7 +138,10 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   }
   if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
     return false;
-  return words == WordsAre::kReference || !plan.next.five.follows() || followRotaryAxes(c, plan, target);
+  if (words == WordsAre::kReference) return true;
+  if (plan.next.five.follows() && !followRotaryAxes(c, plan, target)) return false;
+  warnOfLengthBesideTool(c, plan, target);
+  return true;
 }
 
 }  // namespace proveout::nc
