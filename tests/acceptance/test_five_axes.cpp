@@ -59,7 +59,7 @@ class PlantedFault {
     ASSERT_EQ(outcome_.exit_code, 1) << outcome_.err;
     EXPECT_EQ(report_["verdict"], "fail");
     const auto is = [&](const json& finding) {
-      return finding["kind"] == kind && finding["severity"] == "error" && finding["source"].is_object() &&
+      return finding["kind"] == kind && finding["severity"] == "error" && finding.contains("source") &&
              lines.contains(placeOf(finding["source"]));
     };
     EXPECT_TRUE(std::ranges::any_of(report_["findings"], is)) << outcome_.err;
@@ -69,8 +69,8 @@ class PlantedFault {
     std::string all;
     for (const json& d : report_["diagnostics"]) {
       if (d["code"] != code) continue;
-      all += (d["source"].is_object() ? placeOf(d["source"]) : "") + " " + d["message"].get<std::string>() +
-             "\n";
+      all +=
+          (d.contains("source") ? placeOf(d["source"]) : "") + " " + d["message"].get<std::string>() + "\n";
     }
     return all;
   }
