@@ -566,6 +566,18 @@ TEST(MachineData, AWrongInclinationOfTheSecondAxisTurnsTheTool) {
   EXPECT_LT((endOf(wrong, 5).axis - Vec3(0.482343, 0.500305, 0.719055)).norm(), 1e-5);
 }
 
+/// A head that leans by 45 degrees does not get behind (0, -0.9, -0.43), whatever its travel.
+TEST(ToolDirection, WhatNoPositionHasIsTold) {
+  const double r = std::sqrt(0.5);
+  MachineModel machine = test::plainMachine();
+  test::addHead(machine, "B", Vec3::UnitY(), {0, 0, 200});
+  test::addHead(machine, "C", {0, r, r}, {0, 0, 200});
+  const Outcome out =
+      runOf("G68.2 P3 Q1 I1 J0 K0\nG68.2 P3 Q2 I0 J-0.9 K-0.43\nG53.1", settingsOf(machine, Vec3::Zero()));
+  EXPECT_TRUE(out.error.starts_with("nct-unreachable")) << out.error;
+  EXPECT_NE(out.error.find("no position has it (B endless, C endless)"), std::string::npos) << out.error;
+}
+
 /// A vector d too much from the holder to the second head axis moves the tip by M1 M2 d - d, one from there
 /// to the first axis by M1 d - d: the control goes by V of its parameters, and the tip is by that of the
 /// machine.
