@@ -354,15 +354,24 @@ class MachineReader {
     settings.machine = std::move(model_);
   }
 
-  /// X, Y or Z: what its table leaves out is as the keys of the whole machine say.
+  /// X, Y or Z: what its table leaves out is as the keys of the whole machine say. Where they say nothing it
+  /// is the default, and not what another machine has left in the settings.
   void handMain(std::size_t k, MachineAxis& axis) {
     ControlSettings& settings = job_.settings;
     double& rapid = settings.rapid_mm_min[static_cast<int>(k)];
     double& acceleration = settings.acceleration_mm_s2[static_cast<int>(k)];
-    rapid = axis.rapid = rows_[k]->rapid.value_or(rapid);
-    acceleration = axis.acceleration = rows_[k]->acceleration.value_or(acceleration);
-    if (!axis.travel) axis.travel = settings.limits[k];
+    if (!rows_[k]->rapid && machine_.find("rapid") != nullptr) axis.rapid = rapid;
+    if (!rows_[k]->acceleration && machine_.find("acceleration") != nullptr) axis.acceleration = acceleration;
+    if (!axis.travel && limitsName(axis.name)) axis.travel = settings.limits[k];
+    rapid = axis.rapid;
+    acceleration = axis.acceleration;
     settings.limits[k] = axis.travel;
+  }
+
+  bool limitsName(const std::string& axis) {
+    const ConfigValue* limits = machine_.find("limits");
+    return limits != nullptr &&
+           std::ranges::find(limits->entries, axis, &ConfigEntry::key) != limits->entries.end();
   }
 
   ConfigTable& machine_;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 
 #include "program_runner.h"
 
@@ -37,6 +39,89 @@ INSTANTIATE_TEST_SUITE_P(Machines, Tetrahedron,
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name.substr(0, name.find('.'));
                          });
+
+/// The tetrahedron with one thing wrong.
+class PlantedFault {
+ public:
+  PlantedFault(const std::string& job, const std::string& file, const std::string& from,
+               const std::string& to) {
+    fs::copy(partsFolder() / "tetrahedron", bench_.path("tetra"), fs::copy_options::recursive);
+    std::string text = readFile(bench_.path("tetra/" + file));
+    const std::size_t at = text.find(from);
+    if (at == std::string::npos) throw std::runtime_error("nothing to change in " + file);
+    bench_.write("tetra/" + file, text.replace(at, from.size(), to));
+    outcome_ = bench_.run("run tetra/" + job + " --resolution 0.8 --no-render --out out");
+    if (outcome_.exit_code == 1) report_ = json::parse(readFile(bench_.path("out/report.json")));
+  }
+
+  /// The verdict is no pass, and a finding of that kind stands at one of `lines`, "FILE:LINE".
+  void expectFailAt(const std::string& kind, const std::set<std::string>& lines) const {
+    ASSERT_EQ(outcome_.exit_code, 1) << outcome_.err;
+    EXPECT_EQ(report_["verdict"], "fail");
+    const auto is = [&](const json& finding) {
+      return finding["kind"] == kind && finding["severity"] == "error" && finding.contains("source") &&
+             lines.contains(placeOf(finding["source"]));
+    };
+    EXPECT_TRUE(std::ranges::any_of(report_["findings"], is)) << outcome_.err;
+  }
+  /// What diagnostics of that code say, with their places.
+  std::string told(const std::string& code) const {
+    std::string all;
+    for (const json& d : report_["diagnostics"]) {
+      if (d["code"] != code) continue;
+      all +=
+          (d.contains("source") ? placeOf(d["source"]) : "") + " " + d["message"].get<std::string>() + "\n";
+    }
+    return all;
+  }
+  const std::string& said() const { return outcome_.err; }
+
+ private:
+  static std::string placeOf(const json& source) {
+    return source["file"].get<std::string>() + ":" + std::to_string(source["line"].get<int>());
+  }
+  Workbench bench_;
+  Outcome outcome_;
+  json report_;
+};
+
+/// Lines of O1000 that cut a face: what is wrong with a face was cut by one of them.
+std::set<std::string> cutsOfAFace() {
+  std::set<std::string> lines;
+  for (const int line : {3, 4, 5, 6, 9, 10, 12}) lines.insert("O1000.nc:" + std::to_string(line));
+  return lines;
+}
+
+/// The part lies at 0, the operator has entered 0.5: the cause is found with both values.
+TEST(FiveAxisFaults, AWrongZero) {
+  const PlantedFault fault("job-hh-2512.toml", "job-hh-2512.toml", "[offsets.work]\nG54 = [0, 0, 0]",
+                           "[placement]\norigin = [0, 0, 0]\n[offsets.work]\nG54 = [0.5, 0, 0]");
+  fault.expectFailAt("gouge", cutsOfAFace());
+  EXPECT_TRUE(has(fault.said(), "cause: offsets.work.G54.x = 0.5: X off by +0.5 mm")) << fault.said();
+}
+
+/// The tip is 0.2 m beside where the program says: nothing is cut, and the first feed is named.
+TEST(FiveAxisFaults, G43InPlaceOfG431) {
+  const PlantedFault fault("job-hh-255.toml", "hh255.nc", "N50 G43.1 H1", "N50 G43 H1");
+  ASSERT_TRUE(has(fault.said(), "nothing_cut")) << fault.said();
+  EXPECT_TRUE(fault.told("nct-length-beside-tool").starts_with("O1000.nc:3 ")) << fault.said();
+  EXPECT_TRUE(has(fault.said(), "above nominal")) << fault.said();
+}
+
+/// A70.529 C-330 and C-150 are one direction; one angle of each is another.
+TEST(FiveAxisFaults, OneAngleOfAPairIsTurnedRound) {
+  const PlantedFault fault("job-tt-255.toml", "tt255.nc", "N180 C-330", "N180 A-70.529 C-330");
+  fault.expectFailAt("rapid_contact", {"O1000.nc:2"});
+  fault.expectFailAt("excess", cutsOfAFace());
+}
+
+/// The control takes the table for 0.5 mm beside where it is.
+TEST(FiveAxisFaults, AWrongParameterOfTheTable) {
+  const PlantedFault fault("job-tt-2512.toml", "job-tt-2512.toml", "control = \"nct\"",
+                           "control = { name = \"nct\", nct = { N3213 = 400.5 } }");
+  fault.expectFailAt("gouge", cutsOfAFace());
+  EXPECT_TRUE(has(fault.told("nct-machine-data"), "N3213 = 400.5, but the machine has 400:")) << fault.said();
+}
 
 /// An H that is not the tool's length shows in the part: the body follows the gauge length.
 TEST(FiveAxes, AWrongLengthShowsInThePart) {

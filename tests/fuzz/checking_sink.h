@@ -21,11 +21,12 @@ class CheckingSink : public MotionSink {
     if (!files_.insert(index).second) std::abort();  // of several channels not in the order of their numbers
     add(name);
   }
-  void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep*) override {
+  void motion(const Motion& m, const ArcGeometry* arc, const AxisSweep* axis) override {
     const bool finite = m.from.allFinite() && m.to.allFinite() && std::isfinite(m.feed) &&
                         std::isfinite(m.time_s) &&
                         (arc == nullptr || (arc->center.allFinite() && std::isfinite(arc->sweep_rad)));
     if (m.source.origins < 0 || static_cast<std::uint32_t>(m.source.origins) >= sets_) std::abort();
+    if (axis != nullptr && !isSound(*axis)) std::abort();
     if (!finite || m.time_s < 0.0 || m.feed < 0.0) std::abort();
     if (m.channel > kMaxChannels || !files_.contains(m.source.file)) std::abort();
     Channel& channel = channels_[m.channel];
@@ -108,6 +109,15 @@ class CheckingSink : public MotionSink {
     double now_s = 0.0;
   };
 
+  /// A tool has a direction, and axes have positions.
+  static bool isSound(const AxisSweep& axis) {
+    const auto unit = [](const Vec3& v) { return std::abs(v.norm() - 1.0) < 1e-6; };
+    for (int k = 0; k < axis.rotary_count; ++k) {
+      const RotaryPosition& r = axis.rotary[static_cast<std::size_t>(k)];
+      if (!std::isfinite(r.from) || !std::isfinite(r.to)) return false;
+    }
+    return unit(axis.from) && unit(axis.to);
+  }
   void add(std::string_view text) { sum_ = 31 * sum_ + std::hash<std::string_view>()(text); }
   void add(double value) { sum_ = 31 * sum_ + std::hash<double>()(value); }
   void check(OriginCode code) const {

@@ -1,8 +1,9 @@
 # The fuzz targets and what each is made of, for the fuzzer and for the replay of what it has kept.
-set(PROVEOUT_FUZZ_TARGETS nct wl4 flexnc wedm template channels mesh stock vdb job setups options)
+set(PROVEOUT_FUZZ_TARGETS nct wl4 flexnc wedm template channels mesh stock vdb job machine setups options)
 set(PROVEOUT_FUZZ_LIBRARIES_mesh proveout::io proveout::removal proveout::compare)
 set(PROVEOUT_FUZZ_LIBRARIES_stock proveout::removal proveout_openvdb)
 set(PROVEOUT_FUZZ_LIBRARIES_vdb proveout::removal)
+set(PROVEOUT_FUZZ_LIBRARIES_machine proveout::io)
 set(PROVEOUT_FUZZ_LIBRARIES_setups proveout::session)
 set(PROVEOUT_FUZZ_LIBRARIES_job proveout_app)
 set(PROVEOUT_FUZZ_LIBRARIES_options proveout_app)

@@ -70,6 +70,11 @@ Vec3 FiveAxisModel::dynamicZero(const RotaryAngles& at, const Vec3& vector,
   return outer * (secondTurn(at.second) * on_table + table_offset) + table;
 }
 
+Vec3 FiveAxisModel::spindleVector(const RotaryAngles& at) const {
+  if (kind == FiveAxisKind::kHeadTable) return firstTurn(at.first) * tool;
+  return kind == FiveAxisKind::kHeadHead ? Vec3(firstTurn(at.first) * (secondTurn(at.second) * tool)) : tool;
+}
+
 Vec3 FiveAxisModel::toolVector(const RotaryAngles& at) const {
   const Mat3 outer = firstTurn(at.first), inner = secondTurn(at.second);
   if (kind == FiveAxisKind::kHeadHead) return outer * (inner * tool);

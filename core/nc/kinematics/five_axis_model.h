@@ -50,6 +50,8 @@ struct FiveAxisModel {
   Vec3 dynamicZero(const RotaryAngles& at, const Vec3& vector, const RotaryAngles& measured_at) const;
   /// Direction of the tool seen from the workpiece, for which the tables at 0 are where it was measured.
   Vec3 toolVector(const RotaryAngles& at) const;
+  /// The same seen from the machine: tables do not matter.
+  Vec3 spindleVector(const RotaryAngles& at) const;
   /// Up to two positions at which the tool has this direction, -180 < angle <= 180; axes that do not matter
   /// stay where they are in `now`.
   struct Positions {

@@ -310,6 +310,22 @@ TEST(MachineFile, MainAxesTakeTheRatesAndLimitsOfTheMachine) {
   EXPECT_EQ(settings.machine->axes[1].travel->min, -5);
 }
 
+/// A second file stands for the first one: nothing of that is left.
+TEST(MachineFile, TheNextMachineTakesNothingOfTheOneBefore) {
+  const TempFolder folder;
+  Job job;
+  Diagnostics diagnostics;
+  loadMachine(folder.write("first.toml", "acceleration = 7\nlimits = { Y = [-5, 7] }\n" + kGoodMachine), job,
+              diagnostics);
+  loadMachine(folder.write("second.toml", inGoodMachine("travel = [-10, 810]\nrapid = 30000\n", "")), job,
+              diagnostics);
+  ASSERT_FALSE(diagnostics.hasErrors());
+  EXPECT_EQ(job.settings.rapid_mm_min, Vec3(15000, 15000, 15000));
+  EXPECT_EQ(job.settings.acceleration_mm_s2, Vec3(0, 0, 0));
+  EXPECT_FALSE(job.settings.limits[0]);
+  EXPECT_FALSE(job.settings.limits[1]);
+}
+
 TEST(MachineFile, BodiesMayWatchThoseBelow) {
   const ReadMachine read = readMachineText(inGoodMachine("\"holder\"]", "\"post\", \"tool\"]") +
                                            "[[body]]\nname = \"post\"\nbox = [[0, 0, 0], [1, 1, 1]]\n");

@@ -77,6 +77,29 @@ TEST(LengthAlongTool, AWrongLengthShowsInThePath) {
   expectTip(out, 3, {0, 10, 100});
 }
 
+/// G43 with a head that leans: the first feed is told of, once; not with the tool along Z, not with G43.1,
+/// not behind G53.1, not on tables.
+TEST(LengthAlongTool, ALengthBesideTheToolIsTold) {
+  const auto lineTold = [](const std::string& program, const MachineModel& machine) {
+    const Outcome out = runOf("G54 G49 G0 G90 X0 Y0 Z100\n" + program, settingsOf(machine, Vec3::Zero()));
+    EXPECT_EQ(out.error, "") << program;
+    int line = 0;
+    for (const Diagnostic& d : out.path.diagnostics.all()) {
+      if (d.code != "nct-length-beside-tool") continue;
+      EXPECT_EQ(line, 0) << program;
+      line = d.where.line;
+    }
+    return line;
+  };
+  EXPECT_EQ(lineTold("B30 C0\nG43 Z50 H1\nG1 X5 F100\nX6", test::machineCB()), 4);
+  EXPECT_EQ(lineTold("G43 Z50 H1\nG1 X5 F100\nX9 B10", test::headTable()), 4);
+  EXPECT_EQ(lineTold("C30\nG43 Z50 H1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("B30\nG43.1 Z50 H1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("B30\nG43 Z50 H1\nX5", test::machineCB()), 0);  // in the air
+  EXPECT_EQ(lineTold("G43 Z50 H1\nG68.2 I90 J30\nG53.1\nG1 X5 F100", test::machineCB()), 0);
+  EXPECT_EQ(lineTold("A30\nG43 Z50 H1\nG1 X5 F100", test::trunnion('A')), 0);
+}
+
 /// The tip that a block behind `frame` at X Y Z gives.
 Vec3 throughFrame(const std::string& frame, const Vec3& p) {
   const Outcome out = runOf(frame + fmt::format("\nG0 X{} Y{} Z{}", p.x(), p.y(), p.z()),
@@ -470,6 +493,18 @@ TEST(MachineData, AWrongInclinationOfTheSecondAxisTurnsTheTool) {
   EXPECT_NEAR(rotaryAt(wrong, 5, "B"), -20.8983, 1e-4);
   EXPECT_NEAR(rotaryAt(wrong, 5, "C"), 90.0349, 1e-4);
   EXPECT_LT((endOf(wrong, 5).axis - Vec3(0.482343, 0.500305, 0.719055)).norm(), 1e-5);
+}
+
+/// A head that leans by 45 degrees does not get behind (0, -0.9, -0.43), whatever its travel.
+TEST(ToolDirection, WhatNoPositionHasIsTold) {
+  const double r = std::sqrt(0.5);
+  MachineModel machine = test::plainMachine();
+  test::addHead(machine, "B", Vec3::UnitY(), {0, 0, 200});
+  test::addHead(machine, "C", {0, r, r}, {0, 0, 200});
+  const Outcome out =
+      runOf("G68.2 P3 Q1 I1 J0 K0\nG68.2 P3 Q2 I0 J-0.9 K-0.43\nG53.1", settingsOf(machine, Vec3::Zero()));
+  EXPECT_TRUE(out.error.starts_with("nct-unreachable")) << out.error;
+  EXPECT_NE(out.error.find("no position has it (B endless, C endless)"), std::string::npos) << out.error;
 }
 
 /// A vector d too much from the holder to the second head axis moves the tip by M1 M2 d - d, one from there

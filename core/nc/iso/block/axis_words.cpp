@@ -150,9 +150,13 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   }
   if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
     return false;
-  if (words == WordsAre::kReference || !plan.next.five.follows()) return true;
-  if (plan.next.five.tip == TipControl::kVector && !takeToolVector(c, plan, target)) return false;
-  return followRotaryAxes(c, plan, target);
+  if (words == WordsAre::kReference) return true;
+  if (plan.next.five.follows()) {
+    if (plan.next.five.tip == TipControl::kVector && !takeToolVector(c, plan, target)) return false;
+    if (!followRotaryAxes(c, plan, target)) return false;
+  }
+  warnOfLengthBesideTool(c, plan, target);
+  return true;
 }
 
 }  // namespace proveout::nc

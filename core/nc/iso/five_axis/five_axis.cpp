@@ -9,6 +9,9 @@ namespace proveout::nc {
 
 namespace {
 
+/// A length whose end is so far beside the tool is not along it, mm.
+constexpr double kBeside = 1e-3;
+
 /// N3212.FOS: coordinates change, the linear axes stand.
 bool byTransformation(const IsoContext& c) { return c.parameters.flag(FiveAxisParam::kByTransformation); }
 
@@ -76,6 +79,23 @@ bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
     plan.start[axis] = target[axis] = stands[axis];
   }
   return true;
+}
+
+void warnOfLengthBesideTool(IsoContext& c, const BlockPlan& plan, const AxisPoint& target) {
+  const int mode = plan.next.active[kGroupLengthComp];
+  if (!c.five_axes.hasHead() || plan.next.five.along_tool ||
+      (mode != gcode::kLengthPlus && mode != gcode::kLengthMinus) ||
+      plan.next.active[kGroupMotion] == gcode::kRapid)
+    return;
+  const Vec3& length = plan.next.length.xyz;
+  const Vec3 tool = c.five_axes.spindleVector(c.five_axes.at(plan.chain->machineOf(target)));
+  if (length.cross(tool).norm() <= kBeside) return;
+  if (!c.firstTime("length-beside-tool")) return;
+  c.warn(
+      "length-beside-tool",
+      fmt::format("the head leans the tool towards {:.4f}, {:.4f}, {:.4f}, and {} lays its length of {:g} mm "
+                  "along a main axis: the tip is not where the program says; G43.1 lays it along the tool",
+                  tool.x(), tool.y(), tool.z(), mode == gcode::kLengthPlus ? "G43" : "G44", length.norm()));
 }
 
 }  // namespace proveout::nc

@@ -20,5 +20,7 @@ bool holdsPosition(const IsoContext& c, const BlockPlan& plan);
 /// Sets chain, start and the axes of `target` without a word.
 /// False: an error was reported.
 bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+/// A feed with a head that leans while G43 or G44 lays the length along a main axis is warned of.
+void warnOfLengthBesideTool(IsoContext& c, const BlockPlan& plan, const AxisPoint& target);
 
 }  // namespace proveout::nc
