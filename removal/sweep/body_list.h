@@ -9,12 +9,13 @@
 #include "removal/sweep/kinds/lean_line_body.h"
 #include "removal/sweep/kinds/level_arc_body.h"
 #include "removal/sweep/kinds/line_body.h"
+#include "removal/sweep/kinds/pose_run_body.h"
 #include "removal/sweep/kinds/posed_body.h"
 
 namespace proveout {
 
 /// A kind of body with its way.
 using BodyKind = std::variant<LineBody, ChordBody, LevelArcBody, TurnBody, UprightBody, WayBody, LeanLineBody,
-                              LeanChordBody, LeanArcBody, PosedBody>;
+                              LeanChordBody, LeanArcBody, PosedBody, PoseRunBody>;
 
 }  // namespace proveout

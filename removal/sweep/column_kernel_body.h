@@ -290,6 +290,7 @@ inline void radialColumns(const Way& sweep, const double* __restrict x, const do
 #include "removal/sweep/column_curve_body.h"
 #include "removal/sweep/column_cut_body.h"
 #include "removal/sweep/column_way_body.h"
+#include "removal/sweep/kinds/pose_columns_body.h"
 
 inline int padded(int count) { return (count + 7) & ~7; }
 
@@ -494,6 +495,7 @@ proveout::ColumnKernels kernels(const char* name) {
           {columns, leafColumns<TurnSweep>, proveout::curveReach},
           {columns, leafColumns<UprightSweep>, proveout::curveReach},
           {columns, leafColumns<WaySweep>, proveout::curveReach},
+          poseColumns,
           lowerTops,
           leafHits,
           cover,

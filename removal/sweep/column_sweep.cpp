@@ -79,6 +79,9 @@ ColumnSolid columnSolid(const ConvexProfile& profile) {
   const Piece& first = solid.lower.piece[0];
   solid.ball = solid.lower.count == 1 && first.kind == Kind::kArc && first.rc == 0.0 &&
                first.radius == solid.radius && first.zc == solid.radius;
+  const Piece& last = solid.upper.piece[0];
+  solid.sphere = solid.ball && solid.upper.count == 1 && last.kind == Kind::kArc && last.rc == 0.0 &&
+                 last.radius == solid.radius && last.zc == -solid.radius;
   return solid;
 }
 

@@ -25,6 +25,7 @@ struct ColumnSolid {
   double z_min = 0.0, z_max = 0.0;
   bool flat = false;            ///< a cylinder
   bool ball = false;            ///< a lower half sphere of the full radius with a cylinder on it
+  bool sphere = false;          ///< a whole ball
   bool round_top = false;       ///< the upper boundary is not one level disc of the full radius
   bool even = false;            ///< the upper boundary is the lower one in a mirror, but for its height
   ColumnBoundary lower, upper;  ///< upper: mirrored
@@ -104,6 +105,36 @@ struct WaySweep {
   int part = 0;                       ///< number of the part
   bool twice = false, again = false;  ///< columns may see the part twice; this is what they see second
   double z = 0.0, rise = 0.0;         ///< height of the tip where it is lowest, and up to where it is highest
+};
+
+/// A convex solid of revolution in zones along its axis: z from its tip, where a point at radius r lies in it
+/// if r^2 <= alpha + beta z + gamma z^2. mm.
+struct PoseSolid {
+  static constexpr int kMost = 8;
+  struct Zone {
+    double low, high;
+    double alpha, beta, gamma;
+    bool widens;  ///< upwards; told of cones only
+  };
+  struct Rim {
+    double z, radius2;
+  };
+  int zones = 0, rims = 0;
+  Zone zone[kMost];
+  Rim rim[kMost];
+};
+
+/// Tip and axis (unit) of a tool, mm.
+struct PoseAt {
+  double x, y, z, ax, ay, az;
+};
+
+/// A solid at poses that follow each other so closely that what lies between is held by them, but for what
+/// its rims pass over. Leaves out no more than that, and covers nothing else.
+struct PoseRun {
+  const PoseSolid* solid = nullptr;
+  const PoseAt* poses = nullptr;
+  int count = 0;
 };
 
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.
@@ -191,6 +222,7 @@ struct ColumnKernels {
   WayKernels<TurnSweep> turn;
   WayKernels<UprightSweep> upright;
   WayKernels<WaySweep> way;
+  ColumnKernel<PoseRun> poses;
   LowerKernel lower;
   HitKernel hits;
   CoverKernel cover;

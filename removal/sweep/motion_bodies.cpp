@@ -17,10 +17,51 @@ constexpr double kChordShare = 1e-3, kChordMm = 5e-5;
 /// The same for parts of the tool that do not cut: below what counts as contact.
 constexpr double kContactChordMm = 5e-4;
 constexpr double kMostChords = 1e6, kMostTurns = 1e5;
+/// The ball of a tool that turns goes along chords this close to its way, mm; where a stretch needs more than
+/// so many, all of the tool is searched for.
+constexpr double kBallChordMm = 3e-5, kMostBallChords = 256.0;
 /// Level arcs whose radius and height change by less than this are circles, mm.
 constexpr double kSameRadiusMm = 1e-7;
 /// Curves with a smaller radius, mm, or angle are cut as chords.
 constexpr double kLeastCurve = 1e-3;
+
+/// Chords of the way of a point at height `up` on the axis, on one stretch.
+double chordsOn(const PosedStretch& stretch, double up) {
+  return std::ceil(std::sqrt((stretch.tip[1] + up * stretch.axis[1]) / (2.0 * kBallChordMm)));
+}
+
+/// The same on the stretch that needs most.
+double ballChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
+  double most = 0.0;
+  for (const PosedStretch& stretch : sweep.stretches()) most = std::max(most, chordsOn(stretch, ball.center));
+  return most;
+}
+
+/// The ball at the lower end of a solid, if all of it lies in the solid.
+std::optional<SolidParts::Ball> ballOf(const ConvexProfile& profile) {
+  constexpr double kIn = 1e-9;
+  const ConvexProfile::Element& end = profile.element(0);
+  if (!end.arc || end.cr != 0.0 || end.ar != 0.0 || profile.elementCount() < 2) return std::nullopt;
+  if (profile.sample(0.0, end.cz).value > kIn - end.radius) return std::nullopt;
+  SolidParts::Ball ball;
+  ball.center = end.cz;
+  ball.profile.start(0.0, 0.0);
+  ball.profile.arcTo(0.0, end.radius, 0.0, 2.0 * end.radius);
+  ball.profile.setFirstElementId(profile.firstElementId());
+  ball.solid = columnSolid(ball.profile);
+  ball.rest.start(0.0, end.bz);
+  ball.rest.lineTo(end.br, end.bz);
+  for (int i = 1; i < profile.elementCount(); ++i) {
+    const ConvexProfile::Element& e = profile.element(i);
+    if (e.arc) {
+      ball.rest.arcTo(e.cr, e.cz, e.br, e.bz);
+    } else {
+      ball.rest.lineTo(e.br, e.bz);
+    }
+  }
+  ball.rest.setFirstElementId(profile.firstElementId());
+  return ball;
+}
 
 }  // namespace
 
@@ -75,8 +116,14 @@ void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
   const Motion& m = way.motion;
   const ToolFrame tool(way.direction());
   if (way.arc == nullptr) {
-    bodies_.push_back({SweptBody(
-        *part.profile, LeanLineBody(store_.lean_lines.emplace_back(*part.profile, tool, m.from, m.to)))});
+    const auto& ball = partsOf(*part.profile, part.takes).ball;
+    const ConvexProfile& profile = ball ? ball->rest : *part.profile;
+    bodies_.push_back(
+        {SweptBody(profile, LeanLineBody(store_.lean_lines.emplace_back(profile, tool, m.from, m.to)))});
+    if (!ball) return;
+    const Vec3 bottom = ball->center * tool.axis() - ball->solid.radius * Vec3::UnitZ();
+    bodies_.push_back(
+        {SweptBody(ball->profile, LineBody(columnLine(ball->solid, m.from + bottom, m.to + bottom)))});
     return;
   }
   const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, way));
@@ -116,15 +163,67 @@ void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const
   }
 }
 
-/// Stretches of a way on which the axis turns, and the intervals in which a column may meet each.
+/// What a tool sweeps whose axis turns: its ball by itself, where it has one, and the rest.
 void BodyMaker::addPosed(const MotionWay& way, const PartUse& part) {
+  const SolidParts& parts = partsOf(*part.profile, part.takes);
+  if (parts.ball) {
+    const SweptField& rest = store_.fields.emplace_back(motionField(parts.ball->rest, way));
+    if (ballChords(*rest.posed(), *parts.ball) <= kMostBallChords) {
+      // The ball last: what stands above it is gone then.
+      addStretches(rest, parts.ball->rest, parts.poses ? &*parts.poses : nullptr);
+      addBallChords(*rest.posed(), *parts.ball);
+      return;
+    }
+    store_.fields.pop_back();
+  }
   const SweptField& whole = store_.fields.emplace_back(motionField(*part.profile, way));
+  addStretches(whole, *part.profile, parts.poses && !parts.ball ? &*parts.poses : nullptr);
+}
+
+/// The ball's way in chords, lines of their own.
+void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
+  const double down = ball.solid.radius;
+  const auto bottom = [&](const PosedStretch& s, double t) {
+    const PosedStretch::Pose pose = s.poseAt(t);
+    return Vec3(pose.tip + ball.center * pose.axis - down * Vec3::UnitZ());
+  };
+  for (const PosedStretch& s : sweep.stretches()) {
+    const int count = std::max(1, static_cast<int>(chordsOn(s, ball.center)));
+    Vec3 from = bottom(s, -1.0);
+    for (int i = 1; i <= count; ++i) {
+      const Vec3 to = bottom(s, 2.0 * i / count - 1.0);
+      bodies_.push_back({SweptBody(ball.profile, LineBody(columnLine(ball.solid, from, to)))});
+      from = to;
+    }
+  }
+}
+
+/// Poses of each stretch, or the intervals in which a column may meet it.
+void BodyMaker::addStretches(const SweptField& whole, const ConvexProfile& profile, const PoseSolid* solid) {
   const PosedSweep& sweep = *whole.posed();
+  if (solid != nullptr && PosePiece::serves(sweep)) {
+    const std::size_t first = store_.pose_pieces.size();
+    for (const PosedStretch& stretch : sweep.stretches())
+      PosePiece::cut(sweep, stretch, *solid, store_.pose_pieces);
+    for (std::size_t k = first; k < store_.pose_pieces.size(); ++k)
+      bodies_.push_back({SweptBody(profile, PoseRunBody(store_.pose_pieces[k]), &whole)});
+    return;
+  }
   for (std::size_t i = 0; i < sweep.stretches().size(); ++i) {
     const PosedPiece& piece = store_.posed_pieces.emplace_back(sweep, i);
     for (int number = 0; number < PosedPiece::kMostSpans; ++number)
-      bodies_.push_back({SweptBody(*part.profile, PosedBody(piece, number), &whole)});
+      bodies_.push_back({SweptBody(profile, PosedBody(piece, number), &whole)});
   }
+}
+
+/// `takes`: as PartUse::takes. What is watched is asked for as one body, so that its ball stays in it.
+const SolidParts& BodyMaker::partsOf(const ConvexProfile& profile, bool takes) {
+  const auto [at, fresh] = store_.parts[takes ? 1 : 0].try_emplace(&profile);
+  SolidParts& parts = at->second;
+  if (!fresh) return parts;
+  if (takes) parts.ball = ballOf(profile);
+  parts.poses = poseSolid(parts.ball ? parts.ball->rest : profile);
+  return parts;
 }
 
 bool BodyMaker::isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const {

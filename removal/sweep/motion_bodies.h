@@ -2,8 +2,11 @@
 // place that knows what kinds there are and when each serves.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "core/path/toolpath.h"
@@ -13,6 +16,19 @@
 
 namespace proveout {
 
+/// What the bodies of tools that lean or turn know of one profile.
+struct SolidParts {
+  std::optional<PoseSolid> poses;  ///< of `rest`
+  /// A ball that lies in the solid and bounds its end: it goes the same way however the tool leans, and the
+  /// rest of the solid, which is the solid with a disc in its place, does not reach lower than that.
+  struct Ball {
+    ConvexProfile profile, rest;
+    ColumnSolid solid;
+    double center;  ///< above the tip, mm
+  };
+  std::optional<Ball> ball;
+};
+
 /// What bodies know by place; all stays where it is.
 struct BodyStore {
   std::deque<SweptField> fields;  ///< of motions of which there may be several pieces
@@ -20,6 +36,9 @@ struct BodyStore {
   std::deque<LeanLine> lean_lines;
   std::deque<LeanArc> lean_arcs;
   std::deque<PosedPiece> posed_pieces;
+  std::deque<PosePiece> pose_pieces;
+  std::array<std::unordered_map<const ConvexProfile*, SolidParts>, 2>
+      parts;  ///< with a ball by itself: second
 };
 
 /// The field of a part on a whole motion. `profile` must outlive it.
@@ -59,6 +78,9 @@ class BodyMaker {
   void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                      const SweptField& curve);
   void addPosed(const MotionWay& way, const PartUse& part);
+  void addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball);
+  void addStretches(const SweptField& whole, const ConvexProfile& profile, const PoseSolid* solid);
+  const SolidParts& partsOf(const ConvexProfile& profile, bool takes);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;
   bool addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
   void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);

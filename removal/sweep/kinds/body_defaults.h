@@ -78,9 +78,9 @@ struct KernelBody : BodyDefaults {
  protected:
   /// Of a way between two heights of the tip.
   double reachAbove(double highest_tip) const { return highest_tip + solid().z_max + kCullSlackMm; }
+  /// A column is covered up to where the solid is widest, and farther.
   double topAbove(double lowest_tip) const {
-    if (solid().round_top) return -std::numeric_limits<double>::infinity();
-    return lowest_tip + solid().z_max;
+    return lowest_tip - solid().upper.height(solid().radius);
   }
   /// No point of a column that the tool's axis comes this near to, level, is deeper in the solid, mm.
   double depthBeside(double gap) const {

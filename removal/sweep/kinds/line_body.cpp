@@ -16,11 +16,12 @@ enum FlatElement { kBottom, kFlank, kTop, kFlatElements };
 std::optional<SweptSurface> ballSurface(const LineSweep& c, int first, const Vec3& p) {
   const Vec3 way = sweepWay(c);
   const Vec3 q = p - sweepStart(c) - Vec3(0, 0, c.solid->radius);
-  if (way.head<2>().squaredNorm() == 0.0 && q.z() > std::min(0.0, way.z())) return std::nullopt;
+  const bool whole = c.solid->sphere;  // no flank above it
+  if (!whole && way.head<2>().squaredNorm() == 0.0 && q.z() > std::min(0.0, way.z())) return std::nullopt;
   const double length2 = way.squaredNorm();
   const double t = length2 > 0.0 ? std::clamp(q.dot(way) / length2, 0.0, 1.0) : 0.0;
   const Vec3 normal = q - t * way;
-  if (normal.z() > 0.0) return std::nullopt;
+  if (!whole && normal.z() > 0.0) return std::nullopt;
   return SweptSurface{normal.normalized(), first};
 }
 

@@ -128,6 +128,8 @@ EdgeCut LineBody::levelCut(const BodyContext& of, const Vec3& a, double dx, doub
     discStretch(way, a.z(), tool.z_min, tool.z_max, first, last);
     return {std::min(inside, enterStadium(way, ray, first, last, tool.radius))};
   }
+  if (tool.sphere && sweepWay(way).squaredNorm() > 0.0)
+    return {std::min(inside, enterCapsule(way, ray, a.z(), tool.radius))};
   // The whole ball stands for its lower half where the flank above covers the rest.
   if (way.length > 0.0 && tool.ball && !tool.round_top && tool.z_max >= 2.0 * tool.radius) {
     double first, last;

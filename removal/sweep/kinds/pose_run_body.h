@@ -1,0 +1,75 @@
+// Bodies of tools whose axis turns, as poses that stand close together.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "removal/sweep/kinds/body_defaults.h"
+#include "removal/sweep/posed_sweep.h"
+
+namespace proveout {
+
+/// What the kernels know of a profile. Nothing where it has round corners, a point beside its tip, or more
+/// faces than they take.
+std::optional<PoseSolid> poseSolid(const ConvexProfile& profile);
+
+/// A convex part of a tool on a piece of a stretch of its way: poses that are so near to each other that what
+/// its faces leave between them is below kPosesMm. Lengths in mm, workpiece frame.
+///
+/// A piece is so short that a column sees it in one interval: no point of it leaves the chord of its way, as
+/// seen from the tool, by more than kPosesMm.
+class PosePiece {
+ public:
+  /// What lies between two poses and is covered by neither, mm.
+  static constexpr double kPosesMm = 5e-5;
+
+  /// Whether the kernels serve for all stretches: not where the tool lies too flat or a stretch has too many
+  /// poses.
+  static bool serves(const PosedSweep& sweep);
+  /// Appends the pieces of a stretch. `solid`, of the sweep's profile, must outlive them. Requires `serves`.
+  template <typename Pieces>
+  static void cut(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, Pieces& out) {
+    const int count = posesOn(sweep, stretch);
+    for (int first = 0; first < count; first += kMostSteps)
+      out.emplace_back(sweep, stretch, solid, first, std::min(first + kMostSteps, count), count);
+  }
+  /// Poses from `first` to `last` of those that part the stretch into `count`.
+  PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, int first, int last,
+            int count);
+
+  PoseRun run() const { return {solid_, poses_.data(), static_cast<int>(poses_.size())}; }
+  void reach(const FourBlocks& blocks, double* low, double* high) const;
+  const Box3& bounds() const { return bounds_; }
+  double middleShare() const { return share_; }
+
+ private:
+  /// Of one piece.
+  static constexpr int kMostSteps = 16, kMostOnStretch = 4096;
+  static int posesOn(const PosedSweep& sweep, const PosedStretch& stretch);
+
+  const PoseSolid* solid_;
+  std::vector<PoseAt> poses_;
+  Box3 bounds_;
+  double share_;  ///< of the motion, in its middle
+  double gap_;    ///< no point goes farther between two poses, mm
+};
+
+struct PoseRunBody : BodyDefaults {
+  PoseRunBody() = default;
+  /// `of` must outlive the body.
+  explicit PoseRunBody(const PosePiece& of) : piece(&of) {}
+
+  void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
+    columnKernels().poses(piece->run(), x, y, count, lo, hi);
+  }
+  void leafColumns(LeafColumns& leaf, unsigned quarters) const;
+  void reach(const FourBlocks& blocks, double* low, double* high) const { piece->reach(blocks, low, high); }
+  double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
+  double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }
+  /// Convex but for what is between two poses.
+  bool holdsEdges(double, const Vec2&, double) const { return true; }
+
+  const PosePiece* piece = nullptr;
+};
+
+}  // namespace proveout
