@@ -121,7 +121,7 @@ struct PoseSolid {
   };
   int zones = 0, rims = 0;
   Zone zone[kMost];
-  Rim rim[kMost];
+  Rim rim[2 * kMost];
 };
 
 /// Tip and axis (unit) of a tool, mm.
@@ -135,6 +135,7 @@ struct PoseRun {
   const PoseSolid* solid = nullptr;
   const PoseAt* poses = nullptr;
   int count = 0;
+  bool straight = false;  ///< two poses of one direction, and the line between them: nothing is left out
 };
 
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.

@@ -20,6 +20,8 @@ constexpr double kMostChords = 1e6, kMostTurns = 1e5;
 /// The ball of a tool that turns goes along chords this close to its way, mm; where a stretch needs more than
 /// so many, all of the tool is searched for.
 constexpr double kBallChordMm = 3e-5, kMostBallChords = 256.0;
+/// Above the ids of all elements of a tool: a face belongs to one body.
+constexpr int kBallIds = ConvexProfile::kEdgeIds / 2;
 /// Level arcs whose radius and height change by less than this are circles, mm.
 constexpr double kSameRadiusMm = 1e-7;
 /// Curves with a smaller radius, mm, or angle are cut as chords.
@@ -41,13 +43,14 @@ double ballChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
 std::optional<SolidParts::Ball> ballOf(const ConvexProfile& profile) {
   constexpr double kIn = 1e-9;
   const ConvexProfile::Element& end = profile.element(0);
-  if (!end.arc || end.cr != 0.0 || end.ar != 0.0 || profile.elementCount() < 2) return std::nullopt;
+  if (!end.arc || end.cr != 0.0 || end.ar != 0.0 || end.az != 0.0 || profile.elementCount() < 2)
+    return std::nullopt;
   if (profile.sample(0.0, end.cz).value > kIn - end.radius) return std::nullopt;
   SolidParts::Ball ball;
   ball.center = end.cz;
   ball.profile.start(0.0, 0.0);
   ball.profile.arcTo(0.0, end.radius, 0.0, 2.0 * end.radius);
-  ball.profile.setFirstElementId(profile.firstElementId());
+  ball.profile.setFirstElementId(profile.firstElementId() + kBallIds);
   ball.solid = columnSolid(ball.profile);
   ball.rest.start(0.0, end.bz);
   ball.rest.lineTo(end.br, end.bz);
@@ -116,10 +119,12 @@ void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
   const Motion& m = way.motion;
   const ToolFrame tool(way.direction());
   if (way.arc == nullptr) {
-    const auto& ball = partsOf(*part.profile, part.takes).ball;
+    const SolidParts& parts = partsOf(*part.profile, part.takes);
+    const auto& ball = parts.ball;
     const ConvexProfile& profile = ball ? ball->rest : *part.profile;
     bodies_.push_back(
-        {SweptBody(profile, LeanLineBody(store_.lean_lines.emplace_back(profile, tool, m.from, m.to)))});
+        {SweptBody(profile, LeanLineBody(store_.lean_lines.emplace_back(
+                                profile, tool, m.from, m.to, parts.poses ? &*parts.poses : nullptr)))});
     if (!ball) return;
     const Vec3 bottom = ball->center * tool.axis() - ball->solid.radius * Vec3::UnitZ();
     bodies_.push_back(
@@ -157,7 +162,7 @@ void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const
   Vec3 from = m.from;
   for (int i = 0; i < count; ++i) {
     const Vec3 to = i + 1 == count ? m.to : arcPoint(frame, *way.arc, (i + 1.0) / count);
-    const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to);
+    const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to, nullptr);
     from = to;
     bodies_.push_back({SweptBody(*part.profile, LeanChordBody(line), &curve)});
   }
@@ -171,7 +176,7 @@ void BodyMaker::addPosed(const MotionWay& way, const PartUse& part) {
     if (ballChords(*rest.posed(), *parts.ball) <= kMostBallChords) {
       // The ball last: what stands above it is gone then.
       addStretches(rest, parts.ball->rest, parts.poses ? &*parts.poses : nullptr);
-      addBallChords(*rest.posed(), *parts.ball);
+      addBallChords(store_.fields.emplace_back(motionField(parts.ball->profile, way)), *parts.ball);
       return;
     }
     store_.fields.pop_back();
@@ -180,8 +185,9 @@ void BodyMaker::addPosed(const MotionWay& way, const PartUse& part) {
   addStretches(whole, *part.profile, parts.poses && !parts.ball ? &*parts.poses : nullptr);
 }
 
-/// The ball's way in chords, lines of their own.
-void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
+/// The ball's way in chords.
+void BodyMaker::addBallChords(const SweptField& whole, const SolidParts::Ball& ball) {
+  const PosedSweep& sweep = *whole.posed();
   const double down = ball.solid.radius;
   const auto bottom = [&](const PosedStretch& s, double t) {
     const PosedStretch::Pose pose = s.poseAt(t);
@@ -192,7 +198,7 @@ void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& b
     Vec3 from = bottom(s, -1.0);
     for (int i = 1; i <= count; ++i) {
       const Vec3 to = bottom(s, 2.0 * i / count - 1.0);
-      bodies_.push_back({SweptBody(ball.profile, LineBody(columnLine(ball.solid, from, to)))});
+      bodies_.push_back({SweptBody(ball.profile, ChordBody(columnLine(ball.solid, from, to)), &whole)});
       from = to;
     }
   }

@@ -78,7 +78,7 @@ class BodyMaker {
   void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                      const SweptField& curve);
   void addPosed(const MotionWay& way, const PartUse& part);
-  void addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball);
+  void addBallChords(const SweptField& whole, const SolidParts::Ball& ball);
   void addStretches(const SweptField& whole, const ConvexProfile& profile, const PoseSolid* solid);
   const SolidParts& partsOf(const ConvexProfile& profile, bool takes);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;

@@ -55,6 +55,17 @@ struct BodyDefaults {
   ToolPlace placeAt(double) const { return {Vec3::Zero(), Vec2::UnitX()}; }
 };
 
+/// Columns of quarters (bits) of a leaf; those beside each other in one call.
+template <typename Kind>
+void columnsOfQuarters(const Kind& kind, LeafColumns& leaf, unsigned quarters) {
+  for (int q = 0; q < 4; ++q) {
+    const int from = q * kQuarter;
+    while (q < 4 && (quarters >> q & 1) != 0) ++q;
+    if (const int count = q * kQuarter - from; count > 0)
+      kind.columns(leaf.x + from, leaf.y + from, count, leaf.lo + from, leaf.hi + from);
+  }
+}
+
 /// A solid whose axis stays upright on a way that the kernels know.
 template <typename Way>
 struct KernelBody : BodyDefaults {
@@ -79,9 +90,7 @@ struct KernelBody : BodyDefaults {
   /// Of a way between two heights of the tip.
   double reachAbove(double highest_tip) const { return highest_tip + solid().z_max + kCullSlackMm; }
   /// A column is covered up to where the solid is widest, and farther.
-  double topAbove(double lowest_tip) const {
-    return lowest_tip - solid().upper.height(solid().radius);
-  }
+  double topAbove(double lowest_tip) const { return lowest_tip - solid().upper.height(solid().radius); }
   /// No point of a column that the tool's axis comes this near to, level, is deeper in the solid, mm.
   double depthBeside(double gap) const {
     constexpr double kSlackMm = 1e-10;  // rounding

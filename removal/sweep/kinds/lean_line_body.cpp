@@ -16,8 +16,13 @@ ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + 
 
 }  // namespace
 
-LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end)
-    : profile(&of), frame(in), from(start), to(end), way(in.toTool(end - start)) {
+LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end,
+                   const PoseSolid* known)
+    : profile(&of), solid(known), frame(in), from(start), to(end), way(in.toTool(end - start)) {
+  const Vec3 a = in.axis();
+  if (std::abs(a.z()) < kLeastAxisRise) solid = nullptr;
+  ends = {PoseAt{start.x(), start.y(), start.z(), a.x(), a.y(), a.z()},
+          PoseAt{end.x(), end.y(), end.z(), a.x(), a.y(), a.z()}};
   const Box3 tool = leaningBounds(of, frame);
   bounds = {start.cwiseMin(end) + tool.min, start.cwiseMax(end) + tool.max};
 }
@@ -41,6 +46,14 @@ ColumnSpan LeanLine::around(double x, double y, double half_width) const {
   const ColumnSpan span = raised(meeting.span(), from.z());
   if (!(span.lo <= span.hi)) return {};
   return {std::max(span.lo, bounds.min.z()) - kCullSlackMm, std::min(span.hi, bounds.max.z()) + kCullSlackMm};
+}
+
+void LeanLine::columns(const double* x, const double* y, int count, double* lo, double* hi) const {
+  columnKernels().poses({solid, ends.data(), 2, true}, x, y, count, lo, hi);
+}
+
+void LeanLine::reach(const FourBlocks& blocks, double* low, double* high) const {
+  reachOfRun({solid, ends.data(), 2, true}, 0.0, bounds, blocks, low, high);
 }
 
 EdgeCut LeanLineBody::levelCut(const BodyContext&, const Vec3& a, double dx, double dy, double inside) const {

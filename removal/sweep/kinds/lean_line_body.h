@@ -2,15 +2,20 @@
 // have no body of their own.
 #pragma once
 
+#include <array>
+
 #include "removal/sweep/kinds/line_meeting.h"
+#include "removal/sweep/kinds/pose_solid.h"
 #include "removal/sweep/tool_frame.h"
 
 namespace proveout {
 
 /// A part of a tool that leans, on a line. Lengths in mm.
 struct LeanLine {
-  /// `from`, `to`: of the tip, workpiece frame. `profile` must outlive this.
-  LeanLine(const ConvexProfile& of, const ToolFrame& frame, const Vec3& from, const Vec3& to);
+  /// `from`, `to`: of the tip, workpiece frame. `profile` must outlive this, and `solid`, what the kernels
+  /// know of it; null: nothing.
+  LeanLine(const ConvexProfile& of, const ToolFrame& frame, const Vec3& from, const Vec3& to,
+           const PoseSolid* solid);
 
   /// The line through `p` along a unit direction, both of the workpiece frame; in the tool's frame, its
   /// origin at the tip's start.
@@ -20,8 +25,13 @@ struct LeanLine {
   // As ScalarBody asks.
   ColumnSpan column(double x, double y) const;
   ColumnSpan around(double x, double y, double half_width) const;
+  /// As ColumnKernel and ReachKernel; `solid` is known.
+  void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
+  void reach(const FourBlocks& blocks, double* low, double* high) const;
 
   const ConvexProfile* profile;
+  const PoseSolid* solid;      ///< null: columns are found one by one
+  std::array<PoseAt, 2> ends;  ///< of the way
   ToolFrame frame;
   Vec3 from, to;  ///< of the tip, workpiece frame
   Vec3 way;       ///< from the start to the end, tool frame
@@ -35,6 +45,18 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
   explicit LeanLineBody(const LeanLine& of) : line(&of) {}
 
   Vec3 axis() const { return line->frame.axis(); }
+  void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
+    if (line->solid == nullptr) return ScalarBody::columns(x, y, count, lo, hi);
+    line->columns(x, y, count, lo, hi);
+  }
+  void leafColumns(LeafColumns& leaf, unsigned quarters) const {
+    if (line->solid == nullptr) return ScalarBody::leafColumns(leaf, quarters);
+    columnsOfQuarters(*this, leaf, quarters);
+  }
+  void reach(const FourBlocks& blocks, double* low, double* high) const {
+    if (line->solid == nullptr) return ScalarBody::reach(blocks, low, high);
+    line->reach(blocks, low, high);
+  }
   ColumnSpan column(double x, double y) const { return line->column(x, y); }
   ColumnSpan around(double x, double y, double half_width) const { return line->around(x, y, half_width); }
   double highestReach() const { return line->bounds.max.z() + kCullSlackMm; }

@@ -40,10 +40,63 @@ inline void poseZone(const PoseSolid::Zone& zone, double az, double z, const dou
   }
 }
 
+/// What a tool of one direction leaves between two places: the ways of its rims, and faces where they touch
+/// the way's own direction. Both are quadratics in the place along the way, 0 to 1, and the height.
+inline void straightColumns(const PoseRun& run, const double* __restrict x, const double* __restrict y, int n,
+                            double* __restrict lo, double* __restrict hi) {
+  constexpr double kStill = 1e-18, kBeyond = 1e-9;  // mm2, mm
+  const PoseSolid& solid = *run.solid;
+  const proveout::PoseAt &a = run.poses[0], &b = run.poses[1];
+  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z, length2 = dx * dx + dy * dy + dz * dz;
+  const double az = a.az, inverse = 1.0 / az, along = dx * a.ax + dy * a.ay + dz * az;
+  if (!(length2 > kStill)) return;
+  for (int k = 0; k < solid.rims; ++k) {
+    const double h = solid.rim[k].z, within = h * h + solid.rim[k].radius2, rise = along * inverse;
+    const double square = rise * rise - 2.0 * rise * dz + length2;
+    if (!(square > kStill)) continue;
+    for (int i = 0; i < n; ++i) {
+      const double qx = x[i] - a.x, qy = y[i] - a.y;
+      const double s0 = (h - qx * a.ax - qy * a.ay) * inverse;
+      const double c = qx * qx + qy * qy + s0 * s0 - within;
+      const double half = s0 * (rise - dz) - qx * dx - qy * dy;
+      const double root2 = half * half - square * c, r = root(root2);
+      const double q = half < 0.0 ? r - half : -(r + half);
+      const double t1 = q / square, t2 = q != 0.0 ? c / q : 0.0;
+      const bool one = root2 >= 0.0 && t1 >= 0.0 && t1 <= 1.0, two = root2 >= 0.0 && t2 >= 0.0 && t2 <= 1.0;
+      const double z1 = a.z + s0 + rise * t1, z2 = a.z + s0 + rise * t2;
+      lo[i] = least(least(lo[i], one ? z1 : kNoHeight), two ? z2 : kNoHeight);
+      hi[i] = most(most(hi[i], one ? z1 : -kNoHeight), two ? z2 : -kNoHeight);
+    }
+  }
+  for (int k = 0; k < solid.zones; ++k) {
+    const PoseSolid::Zone& zone = solid.zone[k];
+    const double g = 1.0 + zone.gamma, beta = zone.beta, square = length2 - g * along * along;
+    if (!(square > kStill)) continue;
+    const double per = 1.0 / square, turn = g * along * az - dz, aa = 1.0 - g * az * az - turn * turn * per;
+    for (int i = 0; i < n; ++i) {
+      const double qx = x[i] - a.x, qy = y[i] - a.y, u = qx * a.ax + qy * a.ay;
+      const double m = (g * u + 0.5 * beta) * along - qx * dx - qy * dy;
+      const double bb = -(g * u + 0.5 * beta) * az - m * turn * per;
+      const double cc = qx * qx + qy * qy - (g * u + beta) * u - zone.alpha - m * m * per;
+      const double root2 = bb * bb - aa * cc, r = root(root2);
+      const double q = bb < 0.0 ? r - bb : -(r + bb);
+      const double s1 = q / aa, s2 = q != 0.0 ? cc / q : 0.0;
+      const double t1 = -(m + turn * s1) * per, t2 = -(m + turn * s2) * per;
+      const double h1 = u + s1 * az - t1 * along, h2 = u + s2 * az - t2 * along;
+      const bool one =
+          root2 >= 0.0 && t1 >= 0.0 && t1 <= 1.0 && h1 >= zone.low - kBeyond && h1 <= zone.high + kBeyond;
+      const bool two =
+          root2 >= 0.0 && t2 >= 0.0 && t2 <= 1.0 && h2 >= zone.low - kBeyond && h2 <= zone.high + kBeyond;
+      lo[i] = least(least(lo[i], one ? a.z + s1 : kNoHeight), two ? a.z + s2 : kNoHeight);
+      hi[i] = most(most(hi[i], one ? a.z + s1 : -kNoHeight), two ? a.z + s2 : -kNoHeight);
+    }
+  }
+}
+
 void poseColumns(const PoseRun& run, const double* x, const double* y, int count, double* lo, double* hi) {
   const int n = (count + 7) & ~7;
   const PoseSolid& solid = *run.solid;
-  double u[kArray], w2[kArray], beyond[PoseSolid::kMost][kArray], height[PoseSolid::kMost][kArray];
+  double u[kArray], w2[kArray], beyond[2 * PoseSolid::kMost][kArray], height[2 * PoseSolid::kMost][kArray];
   for (int i = 0; i < n; ++i) lo[i] = kNoHeight, hi[i] = -kNoHeight;
   for (int p = 0; p < run.count; ++p) {
     const proveout::PoseAt& pose = run.poses[p];
@@ -55,6 +108,7 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
       w2[i] = qx * qx + qy * qy;
     }
     for (int k = 0; k < solid.zones; ++k) poseZone(solid.zone[k], az, pose.z, u, w2, n, lo, hi);
+    if (run.straight) continue;
     for (int k = 0; k < solid.rims; ++k) {
       const double h = solid.rim[k].z, within = h * h + solid.rim[k].radius2;
       double* __restrict was_beyond = beyond[k];
@@ -72,6 +126,7 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
       }
     }
   }
+  if (run.straight) straightColumns(run, x, y, n, lo, hi);
 }
 
 }  // namespace

@@ -1,17 +1,13 @@
 // Bodies of tools whose axis turns, as poses that stand close together.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "removal/sweep/kinds/body_defaults.h"
+#include "removal/sweep/kinds/pose_solid.h"
 #include "removal/sweep/posed_sweep.h"
 
 namespace proveout {
-
-/// What the kernels know of a profile. Nothing where it has round corners, a point beside its tip, or more
-/// faces than they take.
-std::optional<PoseSolid> poseSolid(const ConvexProfile& profile);
 
 /// A convex part of a tool on a piece of a stretch of its way: poses that are so near to each other that what
 /// its faces leave between them is below kPosesMm. Lengths in mm, workpiece frame.
@@ -62,7 +58,7 @@ struct PoseRunBody : BodyDefaults {
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
     columnKernels().poses(piece->run(), x, y, count, lo, hi);
   }
-  void leafColumns(LeafColumns& leaf, unsigned quarters) const;
+  void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(*this, leaf, quarters); }
   void reach(const FourBlocks& blocks, double* low, double* high) const { piece->reach(blocks, low, high); }
   double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
   double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }

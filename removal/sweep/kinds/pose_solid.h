@@ -1,0 +1,28 @@
+// Solids of revolution as the kernels of leaning tools take them.
+#pragma once
+
+#include <optional>
+
+#include "core/geometry/types.h"
+#include "core/tool/profile.h"
+#include "removal/sweep/column_types.h"
+
+namespace proveout {
+
+/// A tool whose axis rises less leaves rims that the kernels do not follow.
+inline constexpr double kLeastAxisRise = 0.25;
+
+/// What the kernels know of a profile. Nothing where it has round corners.
+std::optional<PoseSolid> poseSolid(const ConvexProfile& profile);
+
+/// Least radius at which faces of the profile bend around its axis, mm; 0: it has a point.
+double leastRadius(const ConvexProfile& profile);
+
+/// The solid and all that is nearer to it than `by`, mm, and more, in cylinders and spheres.
+PoseSolid grownSolid(const PoseSolid& solid, double by);
+
+/// As ReachKernel, of all that is nearer to a run than `between`, mm, and lies in `bounds`.
+void reachOfRun(const PoseRun& run, double between, const Box3& bounds, const FourBlocks& blocks, double* low,
+                double* high);
+
+}  // namespace proveout
