@@ -11,7 +11,7 @@ Run without arguments; writes next to itself. Needs nothing but Python 3 and mak
 import math
 import os
 
-from make_nominals import HERE, Solid, circle, segments
+from make_nominals import HERE, Solid, segments, triangulate
 
 # ---- what the parts share -------------------------------------------------------------------------------------------
 
@@ -102,5 +102,235 @@ def cone_frustum():
                   blocks([f"G68.2 X0 Y0 Z0 I0 {word('J', CONE_TILT)} K0"]) + ["G69.1 G49"] + end[1:])
 
 
+# ---- ruled wall: the parallel, at the radius of a ball-end cutter 12, of the surface that its axis goes along -------
+
+WALL_RADIUS = 6.0  # of the cutter
+WALL_BLANK, WALL_WIDTH = (0.0, 80.0), 20.0  # along X; across
+WALL_TOP, WALL_BASE, WALL_MIDDLE = 24.0, -8.0, 6.0  # heights; the middle of the ball is at about 6
+WALL_BLOCKS = 24  # of the S
+WALL_SAMPLES, WALL_CORNER, WALL_LINES, WALL_ROUND = 6, 5, 6, 32  # facets: of a block, a corner, up the wall, of the ball
+
+
+def add(a, b, k=1.0):
+    return tuple(p + k * q for p, q in zip(a, b))
+
+
+def dot(a, b):
+    return sum(p * q for p, q in zip(a, b))
+
+
+def cross3(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def unit(a):
+    k = math.sqrt(dot(a, a))
+    return tuple(p / k for p in a)
+
+
+def between(a, b, share):
+    """Unit vector in the plane of two unit vectors, at a share of the angle from a to b."""
+    angle = math.atan2(math.sqrt(dot(cross3(a, b), cross3(a, b))), dot(a, b))
+    if angle < 1e-12:
+        return a
+    return unit(add(tuple(math.sin((1 - share) * angle) * p for p in a), b, math.sin(share * angle)))
+
+
+def crossing(value, low, high):
+    """Where a value that grows passes 0 (false position, each end held back once at most)."""
+    at_low, at_high = value(low), value(high)
+    if at_low > 0 or at_high < 0:
+        raise RuntimeError("nothing crosses here")
+    for _ in range(40):
+        if high - low < 1e-13 or at_high == at_low:
+            break
+        middle = high - at_high * (high - low) / (at_high - at_low)
+        at = value(middle)
+        if abs(at) < 1e-10:
+            return middle
+        if at > 0:
+            high, at_high, at_low = middle, at, at_low / 2
+        else:
+            low, at_low, at_high = middle, at, at_high / 2
+    return (low + high) / 2
+
+
+def wall_middle(x):
+    """The S, which begins and ends along X: height over X and slope."""
+    q = 2 * math.pi * min(max((x - 4) / 72, 0.0), 1.0)
+    return 4 * (math.sin(q) - 0.5 * math.sin(2 * q)), 4 * 2 * math.pi / 72 * (math.cos(q) - math.cos(2 * q))
+
+
+def wall_foot(x):
+    """Front of the blank: beside the middle of the ball, so that the deepest of the groove lies outside."""
+    return wall_middle(x)[0] + 0.4
+
+
+def along_wall(p, t, n, row):
+    """Where a row of the wall lies along the tool, for a normal."""
+    top = (WALL_TOP - p[2] - WALL_RADIUS * n[2]) / t[2]
+    return top + (WALL_RADIUS - top) * row / WALL_LINES
+
+
+class WallBlock:
+    """A line of the tip, during which the direction turns in the plane of its ends (25.16)."""
+
+    def __init__(self, start, end):
+        (self.p0, self.t0), (self.p1, self.t1) = start, end
+        turn = cross3(self.t0, self.t1)
+        size = math.sqrt(dot(turn, turn))
+        rate = math.atan2(size, dot(self.t0, self.t1))
+        self.rate = tuple(rate * q / size for q in turn) if size > 1e-12 else (0.0, 0.0, 0.0)
+
+    def pose(self, share):
+        return add(self.p0, add(self.p1, self.p0, -1), share), between(self.t0, self.t1, share)
+
+    def contact(self, row, share):
+        """(middle of the tool, normal from there to the wall) of a row: 0 is the top of the wall, WALL_LINES where the
+        ball begins, WALL_LINES + WALL_ROUND the foot. The normal is at right angles to the tool's axis and to the
+        speed of its point (on the ball: to the speed of its middle alone)."""
+        p, t = self.pose(share)
+        forward, turning = add(self.p1, self.p0, -1), cross3(self.rate, t)
+
+        def normal(u):
+            return unit(cross3(t, add(forward, turning, u)))
+
+        if row > WALL_LINES:
+            speed = unit(add(forward, turning, WALL_RADIUS))
+            down, n = unit(add((0.0, 0.0, -1.0), speed, speed[2])), normal(WALL_RADIUS)
+            middle = add(p, t, WALL_RADIUS)
+
+            def inside(share):
+                """By how much a point of the ball lies before the foot of the wall."""
+                q = add(middle, between(n, down, share), WALL_RADIUS)
+                return wall_foot(q[0]) - q[1]
+
+            return middle, between(n, down, crossing(inside, 0.5, 1.0) * (row - WALL_LINES) / WALL_ROUND)
+        u = 20.0
+        for _ in range(8):  # of the top of the wall
+            u = along_wall(p, t, normal(u), 0)
+        u += (WALL_RADIUS - u) * row / WALL_LINES
+        return add(p, t, u), normal(u)
+
+    def point(self, row, share):
+        middle, n = self.contact(row, share)
+        return add(middle, n, WALL_RADIUS)
+
+
+def wall_row(blocks, row):
+    """Points along the wall. Towards the wall the parallels of two blocks cross; away from it the tool stands at the corner
+    and leaves its own radius."""
+    first = [crossing(lambda s: blocks[0].point(row, s)[0] - WALL_BLANK[0], 0.0, 1.0)]
+    last, corners = [], []
+    for a, b in zip(blocks, blocks[1:]):
+        (middle, n0), n1 = a.contact(row, 1.0), b.contact(row, 0.0)[1]
+        if cross3(n0, n1)[2] > 1e-12:
+            along = unit(cross3(unit(add(n0, n1)), a.t1))
+            if row > WALL_LINES:  # of the ball: half way between both directions of its middle
+                speeds = [unit(add(add(c.p1, c.p0, -1), cross3(c.rate, t), WALL_RADIUS))
+                          for c, t in ((a, a.t1), (b, b.t0))]
+                along = unit(add(*speeds))
+            side = lambda block, s: dot(add(block.point(row, s), middle, -1), along)
+            last.append(crossing(lambda s: side(a, s), 0.5, 1.0))
+            first.append(crossing(lambda s: side(b, s), 0.0, 0.5))
+            corners.append([])
+        else:
+            last.append(1.0)
+            first.append(0.0)
+            corners.append([])
+            for k in range(1, WALL_CORNER):
+                n = between(n0, n1, k / WALL_CORNER)
+                q = middle if row > WALL_LINES else add(a.p1, a.t1, along_wall(a.p1, a.t1, n, row))
+                corners[-1].append(add(q, n, WALL_RADIUS))
+    last.append(crossing(lambda s: blocks[-1].point(row, s)[0] - WALL_BLANK[1], 0.0, 1.0))
+    points = []
+    for k, block in enumerate(blocks):
+        own = [block.point(row, first[k] + (last[k] - first[k]) * i / WALL_SAMPLES) for i in range(WALL_SAMPLES + 1)]
+        if k > 0 and not corners[k - 1]:
+            own[0] = points[-1]
+        points += own
+        if k < len(corners):
+            points += corners[k] or [own[-1]] * (WALL_CORNER - 1)
+    return points
+
+
+def taken_depth(blocks, point):
+    """How deep a point lies in what the tool sweeps: by trying poses."""
+    best = 1e9
+    for block in blocks:
+        def off(share):
+            p, t = block.pose(share)
+            d = add(point, p, -1)
+            along = max(dot(d, t), WALL_RADIUS)
+            return math.sqrt(max(0.0, dot(add(d, t, -along), add(d, t, -along)))) - WALL_RADIUS
+
+        at = min((off(k / 40), k / 40) for k in range(41))[1]
+        low, high = max(0.0, at - 1 / 40), min(1.0, at + 1 / 40)
+        for _ in range(40):
+            a, b = low + (high - low) / 3, high - (high - low) / 3
+            low, high = (low, b) if off(a) < off(b) else (a, high)
+        best = min(best, off(low), off(high))
+    return -best
+
+
+def ruled_wall():
+    def place(share):
+        """Middle of the ball, and the direction, which leans to the left by 4 to 12 degrees."""
+        x = 4 + 72 * share
+        y, slope = wall_middle(x)
+        heading, lean = math.atan(slope), math.radians(8 - 4 * math.cos(2 * math.pi * share))
+        t = (-math.sin(lean) * math.sin(heading), math.sin(lean) * math.cos(heading), math.cos(lean))
+        return (x, y, WALL_MIDDLE), t
+
+    places = [place(k / WALL_BLOCKS) for k in range(WALL_BLOCKS + 1)]
+    places = [((-14.0, 0.0, WALL_MIDDLE), places[0][1])] + places + [((94.0, 0.0, WALL_MIDDLE), places[-1][1])]
+    # As the program says: the tip, 4 digits; directions, 6 digits.
+    said = [(tuple(round(v, 4) for v in add(c, t, -WALL_RADIUS)), tuple(round(v, 6) for v in t)) for c, t in places]
+    poses = [(p, unit(t)) for p, t in said]
+    blocks = [WallBlock(a, b) for a, b in zip(poses, poses[1:])]
+
+    # Out of the ends of the blank X is what it is, to the last digit.
+    def cut_off(row):
+        row[0], row[-1] = (WALL_BLANK[0], *row[0][1:]), (WALL_BLANK[1], *row[-1][1:])
+        return row
+
+    rows = [cut_off(wall_row(blocks, row)) for row in range(WALL_LINES + WALL_ROUND + 1)]
+    rows[0] = [(p[0], p[1], WALL_TOP) for p in rows[0]]
+    worst = max(abs(taken_depth(blocks, p)) for row in rows[::6] for p in row[::7])
+    print(f"ruled_wall: rows lie within {worst:.6f} mm of what the tool sweeps")
+    if worst > 0.001:  # where the parallels of twisted blocks cross
+        raise RuntimeError("the parallel is not what the tool leaves")
+    outer = rows[-1]
+    back = [(p[0], p[1] + WALL_WIDTH) for p in outer]
+    at = lambda points, z: [(p[0], p[1], z) for p in points]
+
+    def solid(front):
+        s = Solid()
+        around = front + [at(outer, WALL_BASE), at(back, WALL_BASE), at(back, WALL_TOP), front[0]]
+        for a, b in zip(around, around[1:]):
+            for i in range(len(a) - 1):
+                s.triangles += [(a[i], b[i], b[i + 1]), (a[i], b[i + 1], a[i + 1])]
+        for end, x in ((0, WALL_BLANK[0]), (-1, WALL_BLANK[1])):
+            loop = [(row[end][1], row[end][2]) for row in around[:-1]]
+            for tri in triangulate(loop, []):
+                points = tuple((x, *p) for p in tri)
+                s.triangles.append(points[::-1] if end == 0 else points)
+        return s
+
+    length = WALL_BLANK[1] - WALL_BLANK[0]
+    solid([at(outer, WALL_TOP)]).finish("ruled_wall/blank.stl", length * WALL_WIDTH * (WALL_TOP - WALL_BASE), 0.1)
+    solid(rows).finish("ruled_wall/wall.stl", None, 0.0)
+
+    def move(p, t):
+        return f"{words('XYZ', p)} {words('IJK', t, 6)}"
+
+    high = (said[0][0][0], said[0][0][1], 50.0)
+    out = ["G17 G21 G40 G49 G80 G90 G94 G54", "T1 M6", "S6000 M3", "G0 B0 C90", f"G43.5 P1 {move(high, said[0][1])} H1",
+           word("Z", said[0][0][2]), f"G1 {move(*said[1])} F800"]
+    out += [move(*s) for s in said[2:]] + ["G0 Z50", "G49 Z200", "M5", "M30"]
+    write_program("ruled_wall/wall.nc", "O0253 (RULED WALL BY THE FLANK, MADE BY MAKE_FIVE_AXIS.PY)", out)
+
+
 if __name__ == "__main__":
     cone_frustum()
+    ruled_wall()
