@@ -11,7 +11,7 @@ Run without arguments; writes next to itself. Needs nothing but Python 3 and mak
 import math
 import os
 
-from make_nominals import HERE, Solid, segments, triangulate
+from make_nominals import HERE, Solid, arc, circle, rectangle, segments, stadium, triangulate
 
 # ---- what the parts share -------------------------------------------------------------------------------------------
 
@@ -100,6 +100,71 @@ def cone_frustum():
                   blocks([]) + end)
     write_program("cone_frustum/tilted.nc", "O0252 (THE SAME, TILTED BY 10 DEGREES, MADE BY MAKE_FIVE_AXIS.PY)",
                   blocks([f"G68.2 X0 Y0 Z0 I0 {word('J', CONE_TILT)} K0"]) + ["G69.1 G49"] + end[1:])
+
+
+# ---- relief on a cylinder: eight flats of a bar 40 with figures on them, A at multiples of 45 degrees --------------
+
+
+RELIEF_LENGTH, RELIEF_FLAT, RELIEF_DEPTH = 50.0, 17.5, 1.5  # along X; from the axis to a flat; of the figures below it
+RELIEF_GROOVE = 2.0  # half of the width
+
+
+def plus(x, half_x, half_y, r):
+    """Outline of two slots across each other, of half the width r, about (x, 0)."""
+    q = math.pi / 2
+    return (arc(x + half_x, 0, r, -q, 2 * q) + [(x + r, r)] + arc(x, half_y, r, 0.0, 2 * q) + [(x - r, r)]
+            + arc(x - half_x, 0, r, q, 2 * q) + [(x - r, -r)] + arc(x, -half_y, r, 2 * q, 2 * q) + [(x + r, -r)])
+
+
+def relief_cylinder():
+    s = Solid()
+    d, low, r = RELIEF_FLAT, RELIEF_FLAT - RELIEF_DEPTH, RELIEF_GROOVE
+    half = d * math.tan(math.pi / 8)
+    slot, cross, discs = stadium(10, 40, 0, r), plus(25, 10, 3, r), [12.0, 25.0, 38.0]
+    volume = 8 * d * half * RELIEF_LENGTH
+    for k in range(8):
+        flat = Solid()
+        sheet = rectangle(0, -half, RELIEF_LENGTH, half)
+        islands = []
+        if k % 2:
+            figures, islands = [circle(x, 0, 5.5) for x in discs], [circle(x, 0, 5.5 - 2 * r) for x in discs]
+            area = 3 * math.pi * (5.5**2 - (5.5 - 2 * r) ** 2)
+        elif k % 4:
+            figures, area = [cross], 4 * r * (10 + 3) - 4 * r * r + 2 * math.pi * r * r
+        else:
+            figures, area = [slot], 30 * 2 * r + math.pi * r * r
+        volume -= RELIEF_DEPTH * area
+        flat.face(sheet, figures, d, True)
+        for i, loop in enumerate(figures):
+            flat.wall(loop, low, d, False)
+            flat.face(loop, islands[i:i + 1], low, True)
+        for loop in islands:
+            flat.wall(loop, low, d, True)
+            flat.face(loop, [], d, True)
+        turned = about_x(45 * k)
+        place = lambda p: tuple(round(v, 6) for v in turned(p))
+        s.triangles += [tuple(place(p) for p in t) for t in flat.triangles]
+        for x, a, b in ((0.0, -half, half), (RELIEF_LENGTH, half, -half)):
+            s.triangles.append((place((x, a, d)), place((x, b, d)), (x, 0.0, 0.0)))
+    s.finish("relief_cylinder/relief.stl", volume, 1.0)
+
+    out = ["G17 G21 G40 G49 G80 G90 G94 G54", "T1 M6", "S4000 M3", "G0 A0 X-12 Y0", "G43 Z30 H1"]
+    for k in range(8):
+        out += [f"G0 A{45 * k}", word("Z", d), f"G1 {word('X', 62 if k % 2 == 0 else -12)} F800", "G0 Z30"]
+    out += ["G49 Z100", "T2 M6", "S8000 M3", "G0 A0 X10 Y0", "G43 Z30 H2"]
+    down = [f"{word('Z', d + 1)}", f"G1 {word('Z', low)} F200"]
+    for k in range(8):
+        out.append(f"G0 A{45 * k}")
+        if k % 2:
+            for x in discs:
+                ring = 5.5 - r
+                out += [f"G0 {words('XY', (x + ring, 0))}"] + down + [f"G3 {word('I', -ring)} F400", "G0 Z30"]
+        elif k % 4:
+            out += ["X15 Y0"] + down + ["X35 F400", "G0 Z30", "X25 Y-3"] + down + ["Y3 F400", "G0 Z30"]
+        else:
+            out += ["X10 Y0"] + down + ["X40 F400", "G0 Z30"]
+    write_program("relief_cylinder/relief.nc", "O0256 (RELIEF ON A CYLINDER, MADE BY MAKE_FIVE_AXIS.PY)",
+                  out + ["G49 Z100", "M5", "M30"])
 
 
 # ---- ruled wall: the parallel, at the radius of a ball-end cutter 12, of the surface that its axis goes along -------
@@ -331,6 +396,92 @@ def ruled_wall():
     write_program("ruled_wall/wall.nc", "O0253 (RULED WALL BY THE FLANK, MADE BY MAKE_FIVE_AXIS.PY)", out)
 
 
+# ---- impeller: five blades whose sides are cones about upright lines; see impeller/make_nominal.cpp ----------------
+
+
+IMPELLER_BLADES, IMPELLER_MIDDLE, IMPELLER_ARC, IMPELLER_ASIDE = 5, 24.0, 20.0, 4.2
+IMPELLER_LEAN, IMPELLER_RADIUS, IMPELLER_FLOOR, IMPELLER_BALL = math.radians(12), 3.0, 8.0, 11.05
+IMPELLER_IN, IMPELLER_OUT, IMPELLER_FLAT_IN, IMPELLER_FLAT_OUT = 10.5, 30.0, 14.5, 29.0
+
+
+def blade_turn(k, radius, away):
+    """Angle about the middle of blade k's arc where the circle about it is `away` from the axis."""
+    cosine = (IMPELLER_MIDDLE**2 + radius**2 - away**2) / (2 * IMPELLER_MIDDLE * radius)
+    return math.pi - math.acos(cosine) + 2 * math.pi / IMPELLER_BLADES * k
+
+
+def about_blade(k, radius, turn):
+    middle = 2 * math.pi / IMPELLER_BLADES * k
+    return (IMPELLER_MIDDLE * math.cos(middle) + radius * math.cos(turn),
+            IMPELLER_MIDDLE * math.sin(middle) + radius * math.sin(turn))
+
+
+def impeller():
+    out_way, in_way = IMPELLER_ARC + IMPELLER_ASIDE, IMPELLER_ARC - IMPELLER_ASIDE
+    way = lambda k, radius, away: about_blade(k, radius, blade_turn(k, radius, away))
+    xy = lambda p: words("XY", p)
+
+    def floor(k):
+        """With the end mill between blade k and the one before it, rim to hub, hub to rim, rim to hub."""
+        wide, narrow = out_way + IMPELLER_RADIUS, in_way - IMPELLER_RADIUS
+        half = lambda away: tuple((p + q) / 2 for p, q in zip(way(k - 1, out_way, away), way(k, in_way, away)))
+        blocks = [f"G0 {xy(way(k - 1, wide, IMPELLER_FLAT_OUT))}", word("Z", IMPELLER_FLOOR),
+                  f"G3 {xy(way(k - 1, wide, IMPELLER_FLAT_IN))} {word('R', wide)} F900"]
+        blocks += [f"G1 {xy(half(12.3))}"] + [xy(half(away)) for away in (18.0, 24.0, IMPELLER_FLAT_OUT)]
+        blocks += [xy(way(k, narrow, IMPELLER_FLAT_OUT)),
+                   f"G3 {xy(way(k, narrow, IMPELLER_FLAT_IN))} {word('R', narrow)}", "G0 Z40"]
+        return blocks
+
+    s, c = math.sin(IMPELLER_LEAN), math.cos(IMPELLER_LEAN)
+
+    def side(k, radius, direction):
+        """With the ball along a side of blade k, rim to hub; `direction` gives the words of a direction."""
+        tip_way, z = radius + IMPELLER_RADIUS * s, IMPELLER_BALL - IMPELLER_RADIUS * c
+        start, end = blade_turn(k, radius, IMPELLER_OUT), blade_turn(k, radius, IMPELLER_IN)
+        lean = lambda turn: (-s * math.cos(turn), -s * math.sin(turn), c)
+        first, last = (*about_blade(k, tip_way, start), z), (*about_blade(k, tip_way, end), z)
+        back = lambda p, t, far: words("XYZ", tuple(a + far * b for a, b in zip(p, t)))
+        return [f"G0 {back(first, lean(start), 40)} {direction(lean(start))}", back(first, lean(start), 0),
+                f"G3 {xy(last)} {word('R', tip_way)} {direction(lean(end))} F600",
+                f"G1 {back(last, lean(end), 40)} F3000"]
+
+    def program(path, title, call, direction):
+        out = ["G17 G21 G40 G49 G80 G90 G94 G54", "T1 M6", "S8000 M3", "G0 A0 C0 X40 Y0", "G43 Z60 H1"]
+        for k in range(IMPELLER_BLADES):
+            out += floor(k)
+        out += ["G49 Z100", "T2 M6", "S8000 M3"]
+        for k in range(IMPELLER_BLADES):
+            for radius in (out_way, in_way):
+                blocks = side(k, radius, direction)
+                if k == 0 and radius == out_way:
+                    blocks[0] = f"G0 {call} {blocks[0][3:]} H2"
+                out += blocks
+        write_program(path, title, out + ["G0 G49 Z100", "M5", "M30"])
+
+    program("impeller/impeller.nc", "O0254 (IMPELLER, MADE BY MAKE_FIVE_AXIS.PY)", "G43.5",
+            lambda t: words("IJK", t, 6))
+
+    class Posted:
+        """Directions as A and C of a trunnion whose tables turn left-handed: C goes on from where it is. One is given by
+        the other pair of angles."""
+
+        def __init__(self, flipped):
+            self.c, self.count, self.flipped = 0.0, 0, flipped
+
+        def __call__(self, t):
+            a, turn = math.degrees(math.acos(t[2])), math.degrees(math.atan2(t[0], -t[1]))
+            self.c += (turn - self.c + 180) % 360 - 180
+            self.count += 1
+            if self.count == self.flipped:
+                return words("AC", (-a, self.c + 180))
+            return words("AC", (a, self.c))
+
+    # 4 directions a blade: the eighth ends the inner side of the second blade.
+    program("impeller/flipped.nc", "O0255 (IMPELLER, POSTED FOR A TRUNNION, ONE PAIR FLIPPED)", "G43.4", Posted(8))
+
+
 if __name__ == "__main__":
     cone_frustum()
+    relief_cylinder()
     ruled_wall()
+    impeller()
