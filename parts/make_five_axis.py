@@ -400,7 +400,7 @@ def ruled_wall():
 
 
 IMPELLER_BLADES, IMPELLER_MIDDLE, IMPELLER_ARC, IMPELLER_ASIDE = 5, 24.0, 20.0, 4.2
-IMPELLER_LEAN, IMPELLER_RADIUS, IMPELLER_FLOOR, IMPELLER_BALL = math.radians(12), 3.0, 8.0, 11.05
+IMPELLER_LEAN, IMPELLER_RADIUS, IMPELLER_FLOOR, IMPELLER_BALL = math.radians(12), 3.0, 8.0, 11.0
 IMPELLER_IN, IMPELLER_OUT, IMPELLER_FLAT_IN, IMPELLER_FLAT_OUT = 10.5, 30.0, 14.5, 29.0
 
 
@@ -422,14 +422,19 @@ def impeller():
     xy = lambda p: words("XY", p)
 
     def floor(k):
-        """With the end mill between blade k and the one before it, rim to hub, hub to rim, rim to hub."""
+        """With the end mill between blade k and the one before it: along that one to the hub, to the rim and back in the
+        middle, along blade k to the rim."""
         wide, narrow = out_way + IMPELLER_RADIUS, in_way - IMPELLER_RADIUS
-        half = lambda away: tuple((p + q) / 2 for p, q in zip(way(k - 1, out_way, away), way(k, in_way, away)))
+
+        def within(share, away):
+            return xy(tuple(p + share * (q - p) for p, q in zip(way(k - 1, out_way, away), way(k, in_way, away))))
+
         blocks = [f"G0 {xy(way(k - 1, wide, IMPELLER_FLAT_OUT))}", word("Z", IMPELLER_FLOOR),
-                  f"G3 {xy(way(k - 1, wide, IMPELLER_FLAT_IN))} {word('R', wide)} F900"]
-        blocks += [f"G1 {xy(half(12.3))}"] + [xy(half(away)) for away in (18.0, 24.0, IMPELLER_FLAT_OUT)]
-        blocks += [xy(way(k, narrow, IMPELLER_FLAT_OUT)),
-                   f"G3 {xy(way(k, narrow, IMPELLER_FLAT_IN))} {word('R', narrow)}", "G0 Z40"]
+                  f"G3 {xy(way(k - 1, wide, IMPELLER_FLAT_IN))} {word('R', wide)} F900", f"G1 {within(0.5, 12.3)}"]
+        blocks += [within(share, away) for share, away in (
+            (0.4, 18.0), (0.33, IMPELLER_FLAT_OUT), (0.67, IMPELLER_FLAT_OUT), (0.6, 18.0))]
+        blocks += [xy(way(k, narrow, IMPELLER_FLAT_IN)),
+                   f"G2 {xy(way(k, narrow, IMPELLER_FLAT_OUT))} {word('R', narrow)}", "G0 Z40"]
         return blocks
 
     s, c = math.sin(IMPELLER_LEAN), math.cos(IMPELLER_LEAN)
