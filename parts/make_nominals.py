@@ -207,7 +207,7 @@ class Solid:
             self.triangles.append(((a[0], a[1], z), (b[0], b[1], z), tip))
 
     def finish(self, path, volume, tolerance):
-        """Checks the solid and writes it as binary STL."""
+        """Checks the solid and writes it as binary STL. A volume of None has no closed form."""
         rounded = [tuple(tuple(struct.unpack("<f", struct.pack("<f", x))[0] + 0.0 for x in p) for p in t)
                    for t in self.triangles]
         rounded = [t for t in rounded if len(set(t)) == 3]
@@ -219,14 +219,15 @@ class Solid:
             a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
             for a, b, c in rounded
         ) / 6.0
-        if abs(enclosed - volume) > tolerance:
+        if volume is not None and abs(enclosed - volume) > tolerance:
             raise RuntimeError(f"{path}: volume {enclosed:.4f}, closed form {volume:.4f}")
         with open(os.path.join(HERE, path), "wb") as out:
             out.write(os.path.basename(path).encode().ljust(80, b"\0"))
             out.write(struct.pack("<I", len(rounded)))
             for t in rounded:
                 out.write(struct.pack("<12fH", 0, 0, 0, *t[0], *t[1], *t[2], 0))
-        print(f"{path}: {len(rounded)} triangles, {enclosed:.3f} mm3 (closed form {volume:.3f})")
+        told = "" if volume is None else f" (closed form {volume:.3f})"
+        print(f"{path}: {len(rounded)} triangles, {enclosed:.3f} mm3{told}")
 
 
 def rounded_area(width, height, radius):
