@@ -15,21 +15,15 @@
 #include "core/nc/registry/interpreter.h"
 #include "core/path/posed_way.h"
 #include "tests/support/five_axis_runs.h"
+#include "tests/support/linear_axis.h"
 #include "tests/support/test_machines.h"
 
 namespace proveout {
 namespace {
 
-constexpr double kSame = 1e-9;
+using test::linearAxisOf;
 
-AxisSettings axisOf(const std::string& name, int number, const std::string& parallel = "") {
-  AxisSettings axis;
-  axis.name = name;
-  axis.number = number;
-  axis.kind = AxisKind::kLinear;
-  axis.parallel = parallel;
-  return axis;
-}
+constexpr double kSame = 1e-9;
 
 MachineEvent eventOf(int code) {
   MachineEvent event;
@@ -48,7 +42,7 @@ MachineEvent releaseOf(int code) {
 /// X, M44 and M45 park V and Y, M46 turns the head, M40 ends all of it.
 ControlSettings manualMachine() {
   ControlSettings settings;
-  settings.axes = {axisOf("V", 4), axisOf("W", 5), axisOf("U", 6, "X")};
+  settings.axes = {linearAxisOf("V", 4), linearAxisOf("W", 5), linearAxisOf("U", 6, "X")};
   settings.start = Vec3::Zero();
   settings.work_given[0] = true;
   settings.length_offsets[1] = settings.length_offsets[101] = {0.0, 0.0};
@@ -465,7 +459,7 @@ TEST(Drives, OfOneAxisAreOneAxis) {
     ControlSettings settings = manualMachine();
     settings.events.clear();
     settings.start = {12, 0, 0};
-    settings.axes[2] = axisOf("U", 6);
+    settings.axes[2] = linearAxisOf("U", 6);
     (gantry ? settings.gantry : settings.tandem) = {{"X", "U"}};
     // Level with the master from power-on.
     EXPECT_NEAR(valueOf("", "#5026", settings), 12.0, kSame);
@@ -500,7 +494,7 @@ TEST(OtherControls, TieNoAxesTogether) {
 /// A table that turns before the head does and after it: each way is by the head that stands there.
 TEST(Head, WaysOfATableAreByTheOneInHand) {
   ControlSettings settings = manualMachine();
-  AxisSettings table = axisOf("A", 7);
+  AxisSettings table = linearAxisOf("A", 7);
   table.kind = AxisKind::kRotary;
   table.carries = RotaryCarries::kPart;
   settings.axes.push_back(table);
