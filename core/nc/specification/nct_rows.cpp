@@ -268,7 +268,7 @@ const char* const kNct =
     "20.3 SIM exchange MMI INHERIT\n"
     "20.4 SIM mirror G53\n"
     "20.5 SIM head\n"
-    "20.6 HOST gantry\n"
+    "20.6 HOST gantry 1008\n"
     "20.7 HOST tandem\n"
     "20.8 REJECT inclined\n"
     "21.1 SIM G31\n"

@@ -4,7 +4,7 @@
 //
 // Rows: nct-20.2-sync nct-20.2-park nct-20.2-MSY nct-20.2-CHAIN nct-20.2-WAIT nct-20.2-SLAVE
 // nct-20.3-exchange nct-20.3-MMI nct-20.3-INHERIT nct-20.4-mirror nct-20.4-G53 nct-20.5-head nct-20.6-gantry
-// nct-20.7-tandem nct-20.8-inclined
+// nct-20.6-1008 nct-20.7-tandem nct-20.8-inclined
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -471,6 +471,41 @@ TEST(Drives, OfOneAxisAreOneAxis) {
     settings.events[1].couple = {{"Y", "V"}};
     EXPECT_EQ(runOf("M41\nM40\nG0 U1", settings).error.find("nct-slave-axis: "), 0u) << "nothing parts them";
   }
+}
+
+/// No drive lags behind: alarm 1008 does not come, and N0200, which levels the second drive, is noted.
+TEST(DrivesOfOneAxis, AreAlwaysLevel) {
+  ControlSettings settings = manualMachine();
+  settings.events.clear();
+  settings.axes[2].parallel.clear();
+  settings.gantry = {{"X", "U"}};
+  settings.parameters["N0200.6"] = 0.02;
+  const Outcome out = runOf("G0 X30\nG1 X40 F600\nG28 X0", settings);
+  EXPECT_EQ(out.error, "");
+  EXPECT_TRUE(out.warns("nct-noted"));
+  EXPECT_FALSE(out.warns("nct-1008"));
+  EXPECT_NEAR(valueOf("G0 X30\nG1 X40 F600", "#5026", settings), 40.0, kSame);
+}
+
+/// N2101 to N2105 say a part of what [[machine.event]], gantry and tandem say: they are refused with that
+/// key.
+TEST(TiedAxes, AreNotSetByParameters) {
+  const struct {
+    const char *name, *instead;
+  } rows[] = {{"N2101", "couple = "},       {"N2101.5", "gantry = "},       {"N2102.MSY.5", "opposite = "},
+              {"N2102.PSN.5", "gantry = "}, {"N2103", "[[machine.event]]"}, {"N2104.5", "exchange = "},
+              {"N2105.MMI.5", "reverse = "}};
+  for (const auto& row : rows) {
+    ControlSettings settings = manualMachine();
+    settings.parameters[row.name] = 1;
+    const std::string error = runOf("G0 X1", settings).error;
+    EXPECT_NE(error.find(std::string("parameter ") + row.name), std::string::npos) << error;
+    EXPECT_NE(error.find("is not set by its number"), std::string::npos) << error;
+    EXPECT_NE(error.find(row.instead), std::string::npos) << error;
+  }
+  // Nor does a program set or read them.
+  EXPECT_NE(runOf("G10 L52\nN2104 P5 R4\nG11", manualMachine()).error, "");
+  EXPECT_NE(runOf("#1=PRM[2101,5]", manualMachine()).error, "");
 }
 
 TEST(InclinedAxes, AreRefused) {
