@@ -116,6 +116,19 @@ TEST(TipControlRows, TheProgramTurnsWithThePart) {
   EXPECT_LT((endOf(out, 6).tip - Vec3(30, 20, 0)).norm(), kPrinted);
 }
 
+/// A call of G54.2 that turns the table: the tip goes straight from where it stands to its place in the new
+/// zero, in the workpiece.
+TEST(TipControlRows, ANewZeroStartsWhereTheTipStands) {
+  ControlSettings settings = settingsOf(trunnion('A'), Vec3(450, 300, -420));
+  const Outcome out = runOf(
+      "G10 L21 P1 X50 Y10 Z40\nG54 G0 X0 Y0 Z50 A0 C0\nG43.4 H1 X5 Y5 Z20\nG54.2 P1 G1 X0 Y0 Z0 C30 F500",
+      settings);
+  ASSERT_EQ(out.error, "");
+  const Vec3 from(5, 5, 20), to(0, 10, 0);  // the row's zero, seen from G54
+  EXPECT_LT((endOf(out, 4).tip - to).norm(), kPrinted);
+  EXPECT_LT((poseAt(out, 4, 0.5).tip - 0.5 * (from + to)).norm(), kPrinted);
+}
+
 /// A vector of any length; without one it stays, a part of one has zeros. Pairs are those of 25.11.
 TEST(TipControlRows, TheVectorIsADirection) {
   const auto at = [](const char* words) {
@@ -216,6 +229,18 @@ TEST(TurnAboutTipRows, Alarms) {
   for (const char* words : {"R10 X5", "R10 Y5", "X1 Z5 R-3", "R0 X5"})
     expectRefused(plane + "G53.6 H1 " + words, 'H', "nct-2042");
   EXPECT_EQ(errorOf(plane + "G53.6 H1 R10", 'H'), "");
+}
+
+/// The length that is in force before it is in force behind it, however it lies.
+TEST(TurnAboutTipRows, TheLengthStays) {
+  for (const char machine : {'H', 'T', 'M'}) {
+    for (const char* code : {"G43", "G43.1", "G43.4", "G43.5"}) {
+      const Outcome out =
+          runOf(fmt::format("G54 G0 X0 Y0 Z0\n{} H1 Z50\nG68.2 I90 J30 K0\nG53.6\nX1 Y2 Z3", code),
+                machineOf(machine));
+      expectTip(out, 5, Vec3(-2 * std::sqrt(0.75) + 1.5, 1, 1 + 3 * std::sqrt(0.75)));
+    }
+  }
 }
 
 /// It stands alone in its block, with its own words.

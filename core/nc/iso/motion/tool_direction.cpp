@@ -102,7 +102,8 @@ bool performAboutTip(IsoContext& c, BlockPlan& plan) {
   if (!performMove(c, plan)) return false;
   FiveAxisState& five = plan.next.five;
   const bool length = plan.next.active[kGroupLengthComp] != gcode::kLengthOff;
-  five.along_tool = length && c.five_axes.hasHead();
+  // G43 on tables lies along Z as before; what has lain along the tool does on.
+  five.along_tool = length && (c.five_axes.hasHead() || c.state.five.along_tool);
   c.chain = c.chainOf(plan.next);
   c.position = c.chain.programOf(c.machine);
   return true;
