@@ -8,6 +8,7 @@
 
 #include "core/machine/machine_chain.h"
 #include "core/nc/registry/interpreter.h"
+#include "core/path/posed_way.h"
 #include "core/path/toolpath.h"
 #include "tests/support/test_machines.h"
 
@@ -85,5 +86,57 @@ inline void expectTip(const Outcome& out, std::uint32_t line, const Vec3& tip) {
 }
 
 inline const Vec3 kTableZero(400, 300, -420);
+
+/// The only motion of a line of the program.
+inline const Motion* motionOf(const Outcome& out, std::uint32_t line) {
+  const Motion* found = nullptr;
+  int count = 0;
+  for (const Motion& m : out.path.motions) {
+    if (m.source.line != line) continue;
+    found = &m;
+    ++count;
+  }
+  EXPECT_EQ(count, 1) << "motions of line " << line << ", " << out.error;
+  return found;
+}
+inline ToolPose poseAt(const Outcome& out, std::uint32_t line, double share) {
+  const Motion* m = motionOf(out, line);
+  if (m == nullptr) return {};
+  if (m->axis < 0) return {out.path.pointAt(*m, share), Vec3::UnitZ()};
+  return posedWayOf(out.path, *m).at(share);
+}
+inline const AxisSweep* sweepOf(const Outcome& out, std::uint32_t line) {
+  const Motion* m = motionOf(out, line);
+  return m == nullptr || m->axis < 0 ? nullptr : &out.path.axes[static_cast<std::size_t>(m->axis)];
+}
+inline void expectPose(const ToolPose& pose, const Vec3& tip, const Vec3& axis, const char* what) {
+  EXPECT_LT((pose.tip - tip).norm(), kPrinted) << what << ": " << pose.tip.transpose();
+  EXPECT_LT((pose.axis - axis.normalized()).norm(), kPrinted) << what << ": " << pose.axis.transpose();
+}
+/// Where the axes are at the end of a line.
+inline void expectAxes(const Outcome& out, std::uint32_t line, const Vec3& xyz, double first, double second) {
+  const AxisSweep* sweep = sweepOf(out, line);
+  ASSERT_NE(sweep, nullptr);
+  ASSERT_NE(sweep->pose, nullptr);
+  const AxisPoint& at = sweep->pose->axes_to;
+  EXPECT_LT((at.xyz - xyz).norm(), kPrinted) << "line " << line << ": " << at.xyz.transpose();
+  EXPECT_NEAR(at[3], first, 1e-9) << line;
+  EXPECT_NEAR(at[4], second, 1e-9) << line;
+}
+
+/// Where the tip of a tool of 100 mm is with the machine there, workpiece frame.
+inline ToolPose poseOf(const ControlSettings& settings, const Vec3& xyz, double first, double second) {
+  AxisPoint machine(xyz);
+  machine.more[0] = first;
+  machine.more[1] = second;
+  return MachineChain(*settings.machine, settings.work_offsets[0]).pose(machine, 100.0);
+}
+
+/// TM-CB, TM-AC, TM-HT.
+inline ControlSettings machineOf(char which) {
+  return which == 'H'   ? settingsOf(machineCB(), Vec3::Zero())
+         : which == 'T' ? settingsOf(trunnion('A'), kTableZero)
+                        : settingsOf(headTable(), kTableZero);
+}
 
 }  // namespace proveout::test

@@ -151,7 +151,11 @@ void PathEmitter::furtherArc(const AxisPoint& to, const MachineArc& arc, const F
     center[plane.v] = arc.center.y();
     normal = direction(plane.u).cross(direction(plane.v));
   }
-  const ArcGeometry guess{toolPoint(center), chain_->direction(start, normal), arc.sweep_rad};
+  // Seen from the part: heads lean the tool, and not the arc.
+  AxisPoint above = center;
+  above.xyz += normal;
+  const ArcGeometry guess{toolPoint(center), (toolPoint(above) - toolPoint(center)).normalized(),
+                          arc.sweep_rad};
   Motion m;
   m.spindle = style.spindle;
   m.kind = style.kind;

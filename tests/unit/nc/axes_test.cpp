@@ -10,6 +10,7 @@
 #include <random>
 
 #include "core/nc/registry/interpreter.h"
+#include "tests/support/linear_axis.h"
 
 namespace proveout {
 namespace {
@@ -44,15 +45,6 @@ AxisSettings rotary(const std::string& name, int number) {
   return axis;
 }
 
-AxisSettings parallel(const std::string& name, int number, const std::string& to) {
-  AxisSettings axis;
-  axis.name = name;
-  axis.number = number;
-  axis.kind = AxisKind::kLinear;
-  axis.parallel = to;
-  return axis;
-}
-
 /// Largest distance of the path's points of line `line` from the curve, whose points are `at` of 0..1: the
 /// way along the path goes with the time.
 double deviation(const Toolpath& path, std::uint32_t line, const std::function<Vec3(double)>& at) {
@@ -72,7 +64,7 @@ double deviation(const Toolpath& path, std::uint32_t line, const std::function<V
 // The manual's helix on the side of an oblique cylinder: V goes along with Y.
 TEST(Axes, HelixWithAParallelAxis) {
   const Outcome r = runOf("G17 G90 G0 X100 Y0 Z0 V0\nG03 X0 Y-100 Z50 V20 I-100 F600\nM30\n",
-                          machineWith({parallel("V", 4, "Y")}));
+                          machineWith({test::linearAxisOf("V", 4, "Y")}));
   ASSERT_EQ(r.error, "");
   const auto at = [](double t) {
     const double a = 1.5 * kPi * t;
@@ -86,7 +78,7 @@ TEST(Axes, HelixWithAParallelAxis) {
 
 TEST(Axes, ArcsAlongParallelAxesAreArcs) {
   const Outcome r = runOf("G17 G0 X10 V0 Y3\nG17 X10 V0\nG3 X0 V10 Z4 I-10 F600\nM30\n",
-                          machineWith({parallel("V", 4, "Y")}));
+                          machineWith({test::linearAxisOf("V", 4, "Y")}));
   ASSERT_EQ(r.error, "");
   ASSERT_EQ(r.path.motions.size(), 2u);
   EXPECT_EQ(r.path.motions[1].shape(), MotionShape::kArc);

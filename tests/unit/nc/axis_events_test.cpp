@@ -4,7 +4,7 @@
 //
 // Rows: nct-20.2-sync nct-20.2-park nct-20.2-MSY nct-20.2-CHAIN nct-20.2-WAIT nct-20.2-SLAVE
 // nct-20.3-exchange nct-20.3-MMI nct-20.3-INHERIT nct-20.4-mirror nct-20.4-G53 nct-20.5-head nct-20.6-gantry
-// nct-20.7-tandem nct-20.8-inclined
+// nct-20.6-1008 nct-20.7-tandem nct-20.8-inclined
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -15,21 +15,15 @@
 #include "core/nc/registry/interpreter.h"
 #include "core/path/posed_way.h"
 #include "tests/support/five_axis_runs.h"
+#include "tests/support/linear_axis.h"
 #include "tests/support/test_machines.h"
 
 namespace proveout {
 namespace {
 
-constexpr double kSame = 1e-9;
+using test::linearAxisOf;
 
-AxisSettings axisOf(const std::string& name, int number, const std::string& parallel = "") {
-  AxisSettings axis;
-  axis.name = name;
-  axis.number = number;
-  axis.kind = AxisKind::kLinear;
-  axis.parallel = parallel;
-  return axis;
-}
+constexpr double kSame = 1e-9;
 
 MachineEvent eventOf(int code) {
   MachineEvent event;
@@ -48,7 +42,7 @@ MachineEvent releaseOf(int code) {
 /// X, M44 and M45 park V and Y, M46 turns the head, M40 ends all of it.
 ControlSettings manualMachine() {
   ControlSettings settings;
-  settings.axes = {axisOf("V", 4), axisOf("W", 5), axisOf("U", 6, "X")};
+  settings.axes = {linearAxisOf("V", 4), linearAxisOf("W", 5), linearAxisOf("U", 6, "X")};
   settings.start = Vec3::Zero();
   settings.work_given[0] = true;
   settings.length_offsets[1] = settings.length_offsets[101] = {0.0, 0.0};
@@ -465,7 +459,7 @@ TEST(Drives, OfOneAxisAreOneAxis) {
     ControlSettings settings = manualMachine();
     settings.events.clear();
     settings.start = {12, 0, 0};
-    settings.axes[2] = axisOf("U", 6);
+    settings.axes[2] = linearAxisOf("U", 6);
     (gantry ? settings.gantry : settings.tandem) = {{"X", "U"}};
     // Level with the master from power-on.
     EXPECT_NEAR(valueOf("", "#5026", settings), 12.0, kSame);
@@ -477,6 +471,41 @@ TEST(Drives, OfOneAxisAreOneAxis) {
     settings.events[1].couple = {{"Y", "V"}};
     EXPECT_EQ(runOf("M41\nM40\nG0 U1", settings).error.find("nct-slave-axis: "), 0u) << "nothing parts them";
   }
+}
+
+/// No drive lags behind: alarm 1008 does not come, and N0200, which levels the second drive, is noted.
+TEST(DrivesOfOneAxis, AreAlwaysLevel) {
+  ControlSettings settings = manualMachine();
+  settings.events.clear();
+  settings.axes[2].parallel.clear();
+  settings.gantry = {{"X", "U"}};
+  settings.parameters["N0200.6"] = 0.02;
+  const Outcome out = runOf("G0 X30\nG1 X40 F600\nG28 X0", settings);
+  EXPECT_EQ(out.error, "");
+  EXPECT_TRUE(out.warns("nct-noted"));
+  EXPECT_FALSE(out.warns("nct-1008"));
+  EXPECT_NEAR(valueOf("G0 X30\nG1 X40 F600", "#5026", settings), 40.0, kSame);
+}
+
+/// N2101 to N2105 say a part of what [[machine.event]], gantry and tandem say: they are refused with that
+/// key.
+TEST(TiedAxes, AreNotSetByParameters) {
+  const struct {
+    const char *name, *instead;
+  } rows[] = {{"N2101", "couple = "},       {"N2101.5", "gantry = "},       {"N2102.MSY.5", "opposite = "},
+              {"N2102.PSN.5", "gantry = "}, {"N2103", "[[machine.event]]"}, {"N2104.5", "exchange = "},
+              {"N2105.MMI.5", "reverse = "}};
+  for (const auto& row : rows) {
+    ControlSettings settings = manualMachine();
+    settings.parameters[row.name] = 1;
+    const std::string error = runOf("G0 X1", settings).error;
+    EXPECT_NE(error.find(std::string("parameter ") + row.name), std::string::npos) << error;
+    EXPECT_NE(error.find("is not set by its number"), std::string::npos) << error;
+    EXPECT_NE(error.find(row.instead), std::string::npos) << error;
+  }
+  // Nor does a program set or read them.
+  EXPECT_NE(runOf("G10 L52\nN2104 P5 R4\nG11", manualMachine()).error, "");
+  EXPECT_NE(runOf("#1=PRM[2101,5]", manualMachine()).error, "");
 }
 
 TEST(InclinedAxes, AreRefused) {
@@ -500,7 +529,7 @@ TEST(OtherControls, TieNoAxesTogether) {
 /// A table that turns before the head does and after it: each way is by the head that stands there.
 TEST(Head, WaysOfATableAreByTheOneInHand) {
   ControlSettings settings = manualMachine();
-  AxisSettings table = axisOf("A", 7);
+  AxisSettings table = linearAxisOf("A", 7);
   table.kind = AxisKind::kRotary;
   table.carries = RotaryCarries::kPart;
   settings.axes.push_back(table);

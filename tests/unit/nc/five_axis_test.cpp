@@ -100,6 +100,27 @@ TEST(LengthAlongTool, ALengthBesideTheToolIsTold) {
   EXPECT_EQ(lineTold("A30\nG43 Z50 H1\nG1 X5 F100", test::trunnion('A')), 0);
 }
 
+/// A head that stands leaning does not bend an arc: it is one motion, wherever its plane lies.
+TEST(LengthAlongTool, ArcsAreArcsWhileAHeadLeans) {
+  const std::string lean = "G54 G0 X50 Y0 Z300 B40\nG43.1 X50 Y0 Z0 H1\nG3 X0 Y50 R50 F500";
+  const std::string plane =
+      "G54 G0 X0 Y0 Z300\nG43 H1\nG68.2 I0 J40 K0\nG53.1\nX50 Y0 Z0\nG3 X0 Y50 R50 F500";
+  for (const MachineModel& machine : {test::machineCB(), test::headTable(), test::trunnion('A')}) {
+    for (const auto& [text, line] : {std::pair(lean, 3u), std::pair(plane, 6u)}) {
+      if (line == 3 && machine.axes[3].side == AxisSide::kPart) continue;  // no head
+      const Outcome out = runOf(text, settingsOf(machine, kTableZero));
+      EXPECT_EQ(out.error, "");
+      const Motion* arc = motionOf(out, line);
+      ASSERT_NE(arc, nullptr);
+      ASSERT_EQ(arc->shape(), MotionShape::kArc) << line;
+      const ArcGeometry& g = out.path.arcs[static_cast<std::size_t>(arc->arc)];
+      EXPECT_NEAR((out.path.pointAt(*arc, 0.5) - g.center).norm(), 50.0, 1e-9);
+      EXPECT_NEAR(g.normal.z(), line == 3 ? 1.0 : std::cos(degToRad(40.0)), 1e-9);
+      EXPECT_NEAR(arc->time_s, 60.0 * 25.0 * kPi / 500.0, 1e-6);
+    }
+  }
+}
+
 /// The tip that a block behind `frame` at X Y Z gives.
 Vec3 throughFrame(const std::string& frame, const Vec3& p) {
   const Outcome out = runOf(frame + fmt::format("\nG0 X{} Y{} Z{}", p.x(), p.y(), p.z()),

@@ -59,7 +59,7 @@ struct Control {
   std::size_t rows = 0;       ///< of the control's own list
   std::size_t specified = 0;  ///< of the manual
 };
-const Control kControls[] = {{ControlId::kNct, "nct-", 767, 805},
+const Control kControls[] = {{ControlId::kNct, "nct-", 811, 844},
                              {ControlId::kWl4Lathe, "wl4-", 202, 202},
                              {ControlId::kFlexNc, "fnc-", 163, 163},
                              {ControlId::kWedm, "wedm-", 95, 95}};

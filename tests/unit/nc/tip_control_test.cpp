@@ -18,42 +18,6 @@ namespace {
 
 using namespace test;  // NOLINT
 
-/// The only motion of a line of the program.
-const Motion* motionOf(const Outcome& out, std::uint32_t line) {
-  const Motion* found = nullptr;
-  for (const Motion& m : out.path.motions) {
-    if (m.source.line != line) continue;
-    EXPECT_EQ(found, nullptr) << "line " << line << " has several motions";
-    found = &m;
-  }
-  EXPECT_NE(found, nullptr) << "line " << line << ", " << out.error;
-  return found;
-}
-ToolPose poseAt(const Outcome& out, std::uint32_t line, double share) {
-  const Motion* m = motionOf(out, line);
-  if (m == nullptr) return {};
-  if (m->axis < 0) return {out.path.pointAt(*m, share), Vec3::UnitZ()};
-  return posedWayOf(out.path, *m).at(share);
-}
-const AxisSweep* sweepOf(const Outcome& out, std::uint32_t line) {
-  const Motion* m = motionOf(out, line);
-  return m == nullptr || m->axis < 0 ? nullptr : &out.path.axes[static_cast<std::size_t>(m->axis)];
-}
-void expectPose(const ToolPose& pose, const Vec3& tip, const Vec3& axis, const char* what) {
-  EXPECT_LT((pose.tip - tip).norm(), kPrinted) << what << ": " << pose.tip.transpose();
-  EXPECT_LT((pose.axis - axis.normalized()).norm(), kPrinted) << what << ": " << pose.axis.transpose();
-}
-/// Where the axes are at the end of a line.
-void expectAxes(const Outcome& out, std::uint32_t line, const Vec3& xyz, double first, double second) {
-  const AxisSweep* sweep = sweepOf(out, line);
-  ASSERT_NE(sweep, nullptr);
-  ASSERT_NE(sweep->pose, nullptr);
-  const AxisPoint& at = sweep->pose->axes_to;
-  EXPECT_LT((at.xyz - xyz).norm(), kPrinted) << "line " << line << ": " << at.xyz.transpose();
-  EXPECT_NEAR(at[3], first, 1e-9) << line;
-  EXPECT_NEAR(at[4], second, 1e-9) << line;
-}
-
 const char* const kByAngles =
     "G54 G0 X0 Y0 Z100 B0 C0 S500 M3\nG43.4 X60 Y-60 Z-10 B30 H1\nG1 Y60 B45 F1200\nC90\nX-60 B30\nC180\n"
     "Y-60 B45\nC270\nX60 B30\nG49 G0 Z100\nG43.4 X50 Y0 Z0 C0 H1\nG3 X0 Y50 R50 C90\nX-50 Y0 R50 C180\n"
@@ -68,12 +32,6 @@ const char* const kByVectors =
     "Y-60 I-707.107 J0 K707.107\nI0 J-707.107 K707.107\nX60 I0 J-500 K866.025\nG49 G0 Z100\n"
     "G43.5 X50 Y0 Z0 I500 J0 K866.025 H1\nG3 X0 Y50 R50 I0 J500 K866.025\nX-50 Y0 R50 I-500 J0 K866.025\n"
     "X0 Y-50 R50 I-0 J-500 K866.025\nX50 Y0 R50 I500 J0 K866.025\nG49 G0 Z100\nX0 Y0";
-
-ControlSettings machineOf(char which) {
-  return which == 'H'   ? settingsOf(machineCB(), Vec3::Zero())
-         : which == 'T' ? settingsOf(trunnion('A'), kTableZero)
-                        : settingsOf(headTable(), kTableZero);
-}
 
 /// The tips and directions of the program, which are the same on all machines.
 void expectPrism(const Outcome& out, const char* what) {

@@ -414,12 +414,15 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
   return !in_place || plan.motion.rapid || feedStyle(c, plan, plan.motion.feed);
 }
 
+/// The modal code that the axis words of a block without another one belong to.
+const GCode* modalGovernor(const IsoContext& c, const BlockPlan& plan) {
+  if (plan.next.inCycle()) return c.codes.g(plan.next.active[kGroupCycle]);
+  return c.codes.g(callsInRapid(plan) ? gcode::kRapid : plan.next.active[kGroupMotion]);
+}
+
 bool govern(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.governor ? plan.governor : plan.by_group[kOneShot];
-  if (code == nullptr || code->plan == nullptr) {
-    code = plan.next.inCycle() ? c.codes.g(plan.next.active[kGroupCycle])
-                               : c.codes.g(plan.next.active[kGroupMotion]);
-  }
+  if (code == nullptr || code->plan == nullptr) code = modalGovernor(c, plan);
   plan.governor = code;
   // To a modal motion a word that another code owns is no word; a code of this block cannot share one.
   const bool own_code = plan.by_group[static_cast<std::size_t>(code->group)] == code;

@@ -36,6 +36,8 @@ double rotaryTravel(const IsoContext& c, int axis, double from, double value, bo
 double shownPosition(const IsoContext& c, int axis, double value);
 /// Is there but the G code and axis words in the block? False: reported.
 bool ownBlock(IsoContext& c, std::string_view name);
+/// The same with the words of the code beside it; axes other than X, Y and Z are none of them.
+bool ownBlockOf(IsoContext& c, std::string_view name, AddressSet words);
 /// Axes whose words are diameters at power-on.
 AxisSet diameterAxes(const IsoContext& c);
 

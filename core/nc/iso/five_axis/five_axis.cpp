@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+#include <complex>
+
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/parameters/five_axis.h"
 
@@ -12,6 +15,9 @@ namespace {
 /// A length whose end is so far beside the tool is not along it, mm.
 constexpr double kBeside = 1e-3;
 
+/// Places nearer than this are one, mm.
+constexpr double kSamePlaceMm = 1e-9;
+
 /// N3212.FOS: coordinates change, the linear axes stand.
 bool byTransformation(const IsoContext& c) { return c.parameters.flag(FiveAxisParam::kByTransformation); }
 
@@ -21,6 +27,12 @@ bool isCalled(const BlockPlan& plan, IsoGroup group, std::int32_t code10) {
 }
 
 }  // namespace
+
+bool turnsRotaryAxes(const IsoContext& c, const AxisPoint& machine) {
+  constexpr double kTurnsDeg = 1e-9;  // a thousandth of the increment; zeros leave less behind
+  const RotaryAngles from = c.five_axes.at(c.machine), to = c.five_axes.at(machine);
+  return std::abs(to.first - from.first) > kTurnsDeg || std::abs(to.second - from.second) > kTurnsDeg;
+}
 
 bool hasFiveAxes(IsoContext& c, const char* name) {
   return c.five_axes.kind != FiveAxisKind::kNone ||
@@ -57,15 +69,32 @@ bool holdsPosition(const IsoContext& c, const BlockPlan& plan) {
   return isCalled(plan, kGroupLengthComp, gcode::kLengthAlongTool) && c.anyAxisWord() && !byTransformation(c);
 }
 
+namespace {
+
+/// Behind G53.1 the tool stands along Z of the tilted plane, until a block turns it away.
+void warnOfToolBesidePlane(IsoContext& c, const BlockPlan& plan, const RotaryAngles& to) {
+  const FiveAxisState& five = plan.next.five;
+  if (!five.tilted || !five.on_table || five.tip != TipControl::kOff) return;
+  const Mat3 basic = basicRotation(c.registers.frames.system(plan.next.work_system).angles_deg);
+  const Vec3 normal = basic * five.tilt.linear.col(2);
+  if (c.five_axes.toolVector(to).cross(normal).norm() <= kAlongToolSine || !c.firstTime("tool-beside-plane"))
+    return;
+  c.warn("tool-beside-plane",
+         "this block turns the tool away from Z of the tilted plane; here the plane stays on the workpiece "
+         "(the manual does not say what becomes of it)");
+}
+
+}  // namespace
+
 bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
   const AxisPoint end = plan.chain->machineOf(target);
-  const RotaryAngles from = c.five_axes.at(c.machine), to = c.five_axes.at(end);
-  if (from.first == to.first && from.second == to.second) return true;
+  if (!turnsRotaryAxes(c, end)) return true;
   if (c.state.compOn() || plan.next.compOn())
     return c.fail(
         "rotary-in-comp",
         "a rotary axis that the coordinates depend on cannot turn while cutter compensation (G41, G42) is "
         "on: program G40 first");
+  warnOfToolBesidePlane(c, plan, c.five_axes.at(end));
   plan.new_chain = c.chainOf(plan.next, end);
   plan.chain = &*plan.new_chain;
   plan.frames_changed = plan.flush = true;
@@ -78,6 +107,35 @@ bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
     if (plan.motion.named[static_cast<std::size_t>(axis)]) continue;
     plan.start[axis] = target[axis] = stands[axis];
   }
+  return true;
+}
+
+bool carryArc(IsoContext& c, BlockPlan& plan) {
+  if (!plan.next.five.follows() || plan.next.five.tip != TipControl::kOff) return true;
+  const WorkPlane plane = plan.next.workPlane();
+  const AxisPoint stands = plan.chain->programOf(c.machine);
+  const Vec3 moved = plane.of(stands) - plane.of(plan.start);
+  if (moved.norm() <= kSamePlaceMm) return true;
+  if (plan.next.five.on_table)
+    return c.fail(
+        "rotary-in-arc",
+        "an arc cannot turn a rotary axis behind G53.1 and G53.6: its plane turns; G43.4 holds the tip "
+        "on an arc");
+  // The similar figure between the ends as they are now: where only the start has moved along with the end,
+  // the programmed arc; where the offset has turned by the arc's own angle, one about the same centre.
+  using Complex = std::complex<double>;
+  PlaneArc& arc = plan.motion.arc;
+  const auto at = [](const auto& p) { return Complex(p.x(), p.y()); };
+  const Complex from = at(plane.of(stands)), chord = at(arc.end) - at(arc.start);
+  if (std::abs(chord) <= kSamePlaceMm)
+    return c.fail(
+        "rotary-in-arc",
+        "a rotary axis moves the start of this full circle away from its end: the control point has "
+        "no circle to go; G43.4 holds the tip on one");
+  const Complex center = from + (at(arc.center) - at(arc.start)) * (at(arc.end) - from) / chord;
+  arc.start = plane.of(stands);
+  arc.center = {center.real(), center.imag()};
+  plan.start = stands;
   return true;
 }
 

@@ -5,6 +5,11 @@
 
 namespace proveout::nc {
 
+/// The tool stands along a direction that is nearer to it than this (sine): a ten thousandth of a degree.
+inline constexpr double kAlongToolSine = 1.7e-6;
+
+/// Whether the rotary axes turn from where they are to a machine position.
+bool turnsRotaryAxes(const IsoContext& c, const AxisPoint& machine);
 /// Whether the machine turns tool or part, as the code of that name needs. False: reported.
 bool hasFiveAxes(IsoContext& c, const char* name);
 /// G69.1, and the end of a definition of a tilted plane that is not whole. False: an error was reported.
@@ -20,6 +25,9 @@ bool holdsPosition(const IsoContext& c, const BlockPlan& plan);
 /// Sets chain, start and the axes of `target` without a word.
 /// False: an error was reported.
 bool followRotaryAxes(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+/// After the arc is resolved: where the block's frames have moved its start away from where the machine
+/// stands, the arc of the control point (25.2). False: an error was reported.
+bool carryArc(IsoContext& c, BlockPlan& plan);
 /// A feed with a head that leans while G43 or G44 lays the length along a main axis is warned of.
 void warnOfLengthBesideTool(IsoContext& c, const BlockPlan& plan, const AxisPoint& target);
 

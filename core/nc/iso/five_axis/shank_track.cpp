@@ -92,7 +92,7 @@ std::optional<ShankTrack> trackShank(IsoContext& c, const BlockPlan& plan) {
   Motion motion;
   AxisSweep sweep;
   ArcGeometry arc;
-  motion.from = way.machineOf(c.position, kTablesAtZero).xyz;
+  motion.from = way.machineOf(way.from(), kTablesAtZero).xyz;
   motion.to = way.machineOf(plan.motion.target, kTablesAtZero).xyz;
   sweep.from = c.five_axes.toolVector(now);
   sweep.to = c.five_axes.toolVector(end);

@@ -14,9 +14,6 @@ namespace proveout::nc {
 
 namespace {
 
-/// Rotary axes that turn less do not, deg: a thousandth of the increment.
-constexpr double kTurnsDeg = 1e-9;
-
 /// "A -30 to 120, C endless".
 std::string travelText(const IsoContext& c) {
   std::string out;
@@ -59,6 +56,9 @@ bool checkMode(IsoContext& c, const BlockPlan& plan, const char* name) {
   const int motion = plan.next.active[kGroupMotion];
   if (plan.by_group[kGroupLengthComp] != nullptr && motion != gcode::kRapid && motion != gcode::kLine)
     return c.fail("tcp-definition", fmt::format("{} can be switched on in G0 or G1 only", name));
+  if (motion == gcode::kThread)
+    return c.fail("tcp-definition",
+                  fmt::format("threads (G33) cannot be cut under {}: program G49 first", name));
   if (plan.next.inCycle())
     return c.fail("tcp-definition", fmt::format("cycles cannot run under {}: program G49 first", name));
   if (plan.next.compOn())
@@ -131,12 +131,14 @@ bool takeToolVector(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
 
 bool turnsAboutTip(const IsoContext& c, const BlockPlan& plan) {
   if (plan.next.five.tip == TipControl::kOff && !plan.motion.about_tip) return false;
-  const RotaryAngles from = c.five_axes.at(c.machine),
-                     to = c.five_axes.at(c.chain.machineOf(plan.motion.target));
-  return std::abs(to.first - from.first) > kTurnsDeg || std::abs(to.second - from.second) > kTurnsDeg;
+  return turnsRotaryAxes(c, c.chain.machineOf(plan.motion.target));
 }
 
 bool performTipMove(IsoContext& c, BlockPlan& plan) {
+  if (plan.motion.join != PathMotion::Join::kSharp || plan.motion.meet != PathMotion::Meet::kNo)
+    return c.fail("tcp-definition",
+                  "chamfers, roundings and calculated points cannot stand in a block that turns the tool "
+                  "while its tip is held");
   const TipWay way(c, plan);
   PathItem item;
   item.kind = PathItem::Kind::kLine;

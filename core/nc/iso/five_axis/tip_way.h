@@ -15,11 +15,19 @@ inline void setAngles(const FiveAxisModel& model, const RotaryAngles& angles, Ax
 /// rotary axes alone.
 inline const AxisPoint kTablesAtZero;
 
-/// From the position of the context to the target of the plan. Both must outlive it, and stay as they are.
+/// From where the context's machine stands to the target of the plan. Both must outlive it, and stay as they
+/// are.
 class TipWay {
  public:
   TipWay(const IsoContext& c, const BlockPlan& plan)
-      : c_(c), plan_(plan), from_(c.position), plane_(plan.next.workPlane()) {}
+      : c_(c),
+        plan_(plan),
+        from_(c.chainOf(plan.next, c.machine).programOf(c.machine)),
+        plane_(plan.next.workPlane()) {}
+
+  /// Its start, programmed: where a call of G54.2 has moved the zero, another than the position that the
+  /// program holds.
+  const AxisPoint& from() const { return from_; }
 
   /// The tip where the point on the tool's axis that the plan holds (PlannedMotion::pivot_mm) stays and the
   /// rotary axes are those of `to`; all programmed.

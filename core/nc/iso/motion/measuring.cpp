@@ -8,6 +8,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/parameters/safety.h"
 #include "core/nc/iso/system_variables/position_bank.h"
@@ -108,6 +109,18 @@ bool tellProbe(IsoContext& c, bool touched) { return sendEvent(c, event::Probe{t
 void takeFrames(IsoContext& c, const BlockPlan& plan) {
   c.state.length = plan.next.length;
   c.state.work_system = plan.next.work_system;
+  c.state.five = plan.next.five;
+  c.state.h_value = plan.next.h_value;
+  c.state.active[kGroupLengthComp] = plan.next.active[kGroupLengthComp];
+}
+
+/// The probe goes along a line of the axes: it cannot hold the tip while these turn.
+bool refuseTurn(IsoContext& c, const BlockPlan& plan) {
+  return plan.next.five.tip == TipControl::kOff ||
+         !turnsRotaryAxes(c, plan.chain->machineOf(plan.motion.target)) ||
+         c.fail(
+             "probe-turn",
+             "G31 cannot turn a rotary axis while the tip is held (G43.4, G43.5): turn it in a block before");
 }
 
 bool performSkip(IsoContext& c, BlockPlan& plan) {
@@ -141,7 +154,7 @@ bool planSkip(IsoContext& c, BlockPlan& plan) {
   bool torque = false;
   if (!skipWords(c, plan, torque) || !checkState(c, plan, false)) return false;
   if (!axisTarget(c, plan, plan.motion.target, WordsAre::kRectangular)) return false;
-  if (torque && !checkOneAxis(c, plan, "G31 P98")) return false;
+  if (!refuseTurn(c, plan) || (torque && !checkOneAxis(c, plan, "G31 P98"))) return false;
   if (!c.anyAxisWord()) return noAxis(c, plan);
   if (!measuringFeed(c, plan, SafetyParam::kSkipFeedFixed, SafetyParam::kSkipFeed, plan.motion.feed))
     return false;
@@ -200,6 +213,24 @@ bool performLength(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// G37 corrects a length: it needs an axis along which one lies. Where coordinates are turned or the length
+/// follows the heads that is the tool's own direction.
+bool checkLengthAxis(IsoContext& c, const BlockPlan& plan, int axis) {
+  if (axis >= kMainAxes && c.axes.at(axis).rotary())
+    return c.alarm(SharedAlarm::kAxis, c.axes.at(axis).name, "G37 measures along a linear axis");
+  if (!plan.next.five.any()) return true;
+  AxisPoint step;
+  step[axis] = 1.0;
+  const Vec3 along = plan.chain->machineOf(step).xyz - plan.chain->machineOf(AxisPoint()).xyz;
+  const Vec3 tool = c.five_axes.spindleVector(c.five_axes.at(c.machine));
+  const bool moves = along.norm() > 0.0;  // X, Y or Z, and not an axis parallel to one
+  return (moves && along.normalized().cross(tool).norm() <= kAlongToolSine) ||
+         c.fail("length-beside-tool",
+                fmt::format("G37 measures along {}, and the tool stands along {:.4f}, {:.4f}, {:.4f} of the "
+                            "machine: the contact tells nothing about the length of H",
+                            c.axes.at(axis).name, tool.x(), tool.y(), tool.z()));
+}
+
 bool checkLengthMode(IsoContext& c, const BlockPlan& plan) {
   const double rapid = c.parameters[SafetyParam::kRapidDistance];
   const double allowed = c.parameters[SafetyParam::kAlarmDistance];
@@ -229,7 +260,8 @@ bool planToolLength(IsoContext& c, BlockPlan& plan) {
     move.axis = word.axis;
     move.gauge[word.axis] = axisValue(c, plan, word, w);
   }
-  if (!checkOneAxis(c, plan, "G37") || !checkLengthMode(c, plan)) return false;
+  if (!checkOneAxis(c, plan, "G37") || !checkLengthAxis(c, plan, move.axis) || !checkLengthMode(c, plan))
+    return false;
   if (!measuringFeed(c, plan, SafetyParam::kLengthFeedFixed, SafetyParam::kLengthFeed, plan.motion.feed))
     return false;
   const double side = plan.start[move.axis] < move.gauge[move.axis] ? -1.0 : 1.0;  // that the tool comes from

@@ -7,6 +7,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
@@ -217,7 +218,7 @@ bool planArc(IsoContext& c, BlockPlan& plan) {
   plan.motion.is_arc = true;
   plan.motion.arc = resolved.arc;
   takePolarTurns(plan, request);
-  if (!checkTurns(c, plan)) return false;
+  if (!checkTurns(c, plan) || !carryArc(c, plan)) return false;
   if (!planJoin(c, plan) || !feedStyle(c, plan, plan.motion.feed)) return false;
   const bool spiral = resolved.radius_difference > 1e-9;
   plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace

@@ -71,21 +71,27 @@ bool planToolDirection(IsoContext& c, BlockPlan& plan) {
 
 namespace {
 
+/// Whether G53.6 stands with its own words alone. False: reported.
+bool aboutTipAlone(IsoContext& c) {
+  for (const Word& w : c.block.words) {
+    if (w.axis >= kMainAxes) return c.alarm(SharedAlarm::kIllegalAddress, w, "G53.6 takes X, Y, Z, R and H");
+  }
+  return ownBlockOf(c, "G53.6", "XYZUVWRH");
+}
+
 /// The words of G53.6 beside H. False: reported.
 bool targetAboutTip(IsoContext& c, BlockPlan& plan) {
   bool positions = false;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (word.axis >= kMainAxes)
-      return c.alarm(SharedAlarm::kIllegalAddress, w, "G53.6 takes X, Y, Z, R and H");
     const double value = axisValue(c, plan, word, w);
     plan.motion.target[word.axis] = word.step ? plan.start[word.axis] + value : value;
     positions = true;
   }
   const Word* r = c.word('R');
   if (r == nullptr) return true;
-  if (positions && r->value != 0.0) return c.alarm(SharedAlarm::kTipAndTarget, "");
+  if (positions) return c.alarm(SharedAlarm::kTipAndTarget, "");
   // The point beyond the tip that stays: the tip is R on from it, along the tool.
   plan.motion.pivot_mm = lengthOf(plan, *r);
   return true;
@@ -96,7 +102,8 @@ bool performAboutTip(IsoContext& c, BlockPlan& plan) {
   if (!performMove(c, plan)) return false;
   FiveAxisState& five = plan.next.five;
   const bool length = plan.next.active[kGroupLengthComp] != gcode::kLengthOff;
-  five.along_tool = length && c.five_axes.hasHead();
+  // G43 on tables lies along Z as before; what has lain along the tool does on.
+  five.along_tool = length && (c.five_axes.hasHead() || c.state.five.along_tool);
   c.chain = c.chainOf(plan.next);
   c.position = c.chain.programOf(c.machine);
   return true;
@@ -105,7 +112,7 @@ bool performAboutTip(IsoContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planToolDirectionAboutTip(IsoContext& c, BlockPlan& plan) {
-  if (!hasFiveAxes(c, "G53.6") || !mayTurn(c, plan, "G53.6")) return false;
+  if (!hasFiveAxes(c, "G53.6") || !aboutTipAlone(c) || !mayTurn(c, plan, "G53.6")) return false;
   if (plan.next.h == 0) return c.alarm(SharedAlarm::kNoLength, "", "G53.6 needs the length of the tool");
   const std::optional<RotaryAngles> chosen = anglesOfPlane(c, plan);
   if (!chosen) return false;
@@ -119,10 +126,22 @@ bool planToolDirectionAboutTip(IsoContext& c, BlockPlan& plan) {
   return plan.motion.rapid || feedStyle(c, plan, plan.motion.feed);
 }
 
-bool followZero(IsoContext& c, BlockPlan& plan) {
+namespace {
+
+bool callsDynamicZero(const BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupWorkSystem];
-  const bool called = code != nullptr && code->code10 == gcode::kDynamicZero;
-  if (!called || c.anyAxisWord() || plan.perform != nullptr ||
+  return code != nullptr && code->code10 == gcode::kDynamicZero;
+}
+
+}  // namespace
+
+bool callsInRapid(const BlockPlan& plan) {
+  const int motion = plan.next.active[kGroupMotion];
+  return callsDynamicZero(plan) && motion != gcode::kRapid && motion != gcode::kLine;
+}
+
+bool followZero(IsoContext& c, BlockPlan& plan) {
+  if (!callsDynamicZero(plan) || c.anyAxisWord() || plan.perform != nullptr ||
       c.parameters.flag(FiveAxisParam::kByTransformation))
     return true;
   plan.motion.target = plan.start;

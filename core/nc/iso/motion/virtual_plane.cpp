@@ -16,6 +16,22 @@ constexpr double kZero = 1e-6;  ///< mm or deg: the control's increment
 
 const char* modeName(VirtualMode mode) { return mode == VirtualMode::kPolar ? "G12.1" : "G7.1"; }
 
+/// Functions that turn coordinates, or move them with the rotary axes: a virtual plane counts on neither.
+bool isOfFiveAxes(const GCode& code) {
+  switch (code.code10) {
+    case gcode::kLengthAlongTool:
+    case gcode::kTipByAngles:
+    case gcode::kTipByVector:
+    case gcode::kToolDirection:
+    case gcode::kToolDirectionAboutTip:
+    case gcode::kSpaceRotation:
+    case gcode::kTiltedPlane:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool forbidden(const GCode& code, VirtualMode mode) {
   switch (code.code10) {
     case gcode::kLocalShift:
@@ -29,6 +45,7 @@ bool forbidden(const GCode& code, VirtualMode mode) {
       break;
   }
   if (code.group == kGroupPlane || code.group == kGroupWorkSystem) return true;
+  if (isOfFiveAxes(code)) return true;
   return mode == VirtualMode::kCylinder && code.group == kGroupCycle && code.code10 != gcode::kCycleCancel;
 }
 
@@ -47,6 +64,13 @@ bool virtualAxes(IsoContext& c, const AxisModal& modal, int& linear, int& rotary
 bool readyForMode(IsoContext& c, const BlockPlan& plan, const char* name) {
   if (plan.next.compOn()) {
     return c.fail("virtual-comp", fmt::format("{} needs G40: cutter compensation is on", name));
+  }
+  if (plan.next.five.follows()) {
+    return c.fail(
+        "virtual-frame",
+        fmt::format("{} cannot be switched on while coordinates follow the rotary axes (G43.1, G43.4, "
+                    "G43.5, G53.1, G54.2)",
+                    name));
   }
   if (plan.next.transforms.any() || plan.chain->turns()) {
     return c.fail("virtual-frame",
@@ -100,6 +124,17 @@ bool ownBlock(IsoContext& c, std::string_view name) {
   }
   if (c.block.words.size() <= 1 || c.block.words[1].address != 'G') return true;
   return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), c.block.words[1]);
+}
+
+bool ownBlockOf(IsoContext& c, std::string_view name, AddressSet words) {
+  int codes = 0;
+  for (const Word& w : c.block.words) {
+    if (w.address == 'G' && ++codes == 1) continue;
+    if (!words.has(w.address) || w.axis >= kMainAxes) {
+      return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), w);
+    }
+  }
+  return true;
 }
 
 bool checkVirtual(IsoContext& c, const BlockPlan& plan) {

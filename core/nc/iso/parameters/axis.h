@@ -20,6 +20,7 @@ enum class AxisParam : std::uint16_t {
   kRolloverBySign,
   kRolloverPeriod,
   kPolarOffset,
+  kReference1,
   kSmoothBlockMax,
   kSmoothBlockMin,
   kSmoothAngle,

@@ -92,6 +92,14 @@ ParameterTable& ParameterTable::addRow(ParamId id, const ParamInfo& row) {
   return *this;
 }
 
+std::string_view ParameterTable::insteadOf(std::string_view name) const {
+  const std::string_view whole = name.substr(0, name.find('.'));
+  for (const ElsewhereParam& p : elsewhere_) {
+    if (p.name == whole) return p.instead;
+  }
+  return {};
+}
+
 std::vector<ParameterInfo> ParameterTable::list() const {
   std::vector<ParameterInfo> all;
   for (const std::vector<ParamInfo>& chapter : chapters_) {

@@ -12,6 +12,12 @@
 
 namespace proveout::nc {
 
+/// A parameter of the control that is not set by its number here: its whole number, and what says it instead.
+struct ElsewhereParam {
+  std::string_view name;     ///< "N2101"; bits and numbers of axes follow behind a dot
+  std::string_view instead;  ///< "write couple = ..."
+};
+
 /// Rows for what the shared code asks of parameters. A control says which of them it has, under its own names
 /// and numbers. Nobody can set the others: they are as most machines have them, that is 0 but for those in
 /// which 0 would mean a machine without something (parameter_table.cpp).
@@ -33,6 +39,14 @@ class ParameterTable {
     return addRow(paramId(p), row);
   }
 
+  /// The list must outlive the table.
+  ParameterTable& tellElsewhere(std::span<const ElsewhereParam> list) {
+    elsewhere_ = list;
+    return *this;
+  }
+  /// What says a parameter of that name instead of it; empty: nothing is known of it.
+  std::string_view insteadOf(std::string_view name) const;
+
   std::string_view control() const { return control_; }
   const std::vector<ParamInfo>& chapter(ParamChapter chapter) const {
     return chapters_[static_cast<std::size_t>(chapter)];
@@ -49,6 +63,7 @@ class ParameterTable {
   ParameterTable& addRow(ParamId id, const ParamInfo& row);
 
   std::string_view control_;
+  std::span<const ElsewhereParam> elsewhere_;
   std::array<std::vector<ParamInfo>, static_cast<std::size_t>(ParamChapter::kCount)> chapters_;
 };
 

@@ -86,6 +86,10 @@ Status IsoParameters::setOne(const std::string& name, double value) {
       return inputError(fmt::format("parameter {} of control {} is set by its bits (for example {})", name,
                                     table_.control(), (*bit)->name));
     }
+    if (const std::string_view instead = table_.insteadOf(name); !instead.empty()) {
+      return inputError(fmt::format("parameter {} of control {} is not set by its number: {}", name,
+                                    table_.control(), instead));
+    }
     return inputError(
         fmt::format("unknown parameter {} of control {}{}", name, table_.control(), nearestTo(name)));
   }

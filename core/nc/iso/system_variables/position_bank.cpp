@@ -67,6 +67,16 @@ AxisPoint present(const IsoContext& c, const Shown& shown) {
                                                                      : machine);
 }
 
+/// The length offset on the axes, the one along the tool (G43.1, G43.4, G43.5) with what heads add to it.
+AxisPoint lengthInForce(const IsoContext& c) {
+  AxisPoint length = c.state.length;
+  if (!c.state.five.along_tool) return length;
+  const AxisPoint without =
+      chainOf(c, {false, true}).machineOf(chainOf(c, {true, true}).programOf(c.machine));
+  length.xyz = c.machine.xyz - without.xyz;
+  return length;
+}
+
 /// What one unit of a value tells. In the plane of G12.1 and G7.1 the rotary axis counts as its words do.
 double unitOfReading(const IsoContext& c, Reading reading, int axis) {
   const AxisModal& modal = c.state.axes;
@@ -93,7 +103,7 @@ AxisPoint pointOf(const IsoContext& c, Reading reading) {
     case Reading::kSkipMachine:
       return tip ? skip.machine_tip : skip.machine;
     case Reading::kLength:
-      return c.state.length;
+      return lengthInForce(c);
     case Reading::kNothing:
       break;
   }
@@ -104,9 +114,9 @@ AxisPoint pointOf(const IsoContext& c, Reading reading) {
 
 void recordSkip(IsoContext& c, const AxisPoint& machine) {
   SkipPosition& skip = c.registers.skip;
-  skip.machine = skip.machine_tip = machine;
-  for (int axis = 0; axis < c.axes.count(); ++axis)
-    skip.machine_tip[axis] -= c.axisMap().signOf(axis) * c.state.length[axis];
+  skip.machine = machine;
+  // The tip's coordinates with the length taken away: on machine axes, and along the tool too.
+  skip.machine_tip = chainOf(c, {false, true}).machineOf(chainOf(c, {true, true}).programOf(machine));
   for (const bool tilted : {false, true}) {
     for (const bool tip : {false, true})
       skip.at[tilted ? 1 : 0][tip ? 1 : 0] = chainOf(c, {tip, tilted}).programOf(machine);

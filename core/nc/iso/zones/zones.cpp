@@ -18,17 +18,6 @@ bool performZone(IsoContext& c, BlockPlan& plan) {
   return c.stages.zone.configure();
 }
 
-bool ownBlockOf(IsoContext& c, std::string_view name, AddressSet words) {
-  int codes = 0;
-  for (const Word& w : c.block.words) {
-    if (w.address == 'G' && ++codes == 1) continue;
-    if (!words.has(w.address) || w.axis >= kMainAxes) {
-      return c.failWord("own-block", fmt::format("{} stands in a block of its own", name), w);
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 bool planZoneOn(IsoContext& c, BlockPlan& plan) {

@@ -18,11 +18,10 @@ constexpr OpenRows kOpen[] = {
     {"the electronic gear is not built",
      "nct-20.1-G81.8 nct-20.1-G80.8 nct-20.1.1-FRS nct-20.1.2-R1R2 nct-20.1.3-QP nct-20.1.4-retract "},
     {"five-axis functions are not built",
-     "nct-25.19-151xxx nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
+     "nct-25.17-G43.8 nct-25.17-G43.9 nct-25.17-L2 "
      "nct-25.17-r nct-25.17-G49 nct-25.18-G5.1Q3 nct-25.18-G5.1Q1 nct-25.18-G5.1Q0 nct-25.18-PAR "
-     "nct-25.18-SBK nct-25.19-5061 nct-25.19-151001 "
-     "nct-25.19-151101 nct-25.20-BSE nct-25.20-HH nct-25.20-TT nct-25.20-HT nct-25.20-ORD "
-     "nct-25.20-HIRTH nct-25.20-JOG nct-25-ERR "},
+     "nct-25.18-SBK nct-25.20-BSE nct-25.20-HH nct-25.20-TT nct-25.20-HT nct-25.20-ORD "
+     "nct-25.20-HIRTH nct-25.20-JOG "},
 };
 // clang-format on
 

@@ -22,6 +22,7 @@ constexpr auto kRows4 = std::to_array<CoverageId>({
     {"nct-20.4-G53", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-20.5-head", kSim, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-20.6-gantry", kHost, kDone, "tests/unit/nc/axis_events_test.cpp"},
+    {"nct-20.6-1008", kHost, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-20.7-tandem", kHost, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-20.8-inclined", kReject, kDone, "tests/unit/nc/axis_events_test.cpp"},
     {"nct-21.1-G31", kSim, kDone, "good/skip_contact_g91.nc"},

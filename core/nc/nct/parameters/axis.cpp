@@ -25,6 +25,10 @@ constexpr std::array<ParamInfo, static_cast<std::size_t>(AxisParam::kCount)> kAx
     number("N0108", 108, kAxis, 360, 1e-3, 1e6, "travel of one turn, deg"),
     number("N0217", 217, kAxis, 0, -1e3, 1e3,
            "distance of the tool from the plane of the linear and the rotary axis, mm; told, not simulated"),
+    noted(number(
+        "N0200", 200, kAxis, 0, -1e6, 1e6,
+        "reference position 1, that levels the second drive of a gantry, mm; drives are level here, and "
+        "G28 goes to reference_points of the machine")),
     number("N3100", 3100, kChannel, 0, 0, 1e6, "smoothing: longer blocks stay straight, mm; 0: all"),
     number("N3101", 3101, kChannel, 0, 0, 1e6, "smoothing: shorter blocks stay straight, mm"),
     number("N3102", 3102, kChannel, 0, 0, 180, "smoothing: sharper corners stay, deg; 0: all"),

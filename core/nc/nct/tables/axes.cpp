@@ -17,7 +17,7 @@ constexpr auto kAxesFeatures = std::to_array<FeatureRow>({
     {"reversed axes", kSim, "nct-20.4-mirror nct-20.4-G53",
      "an axis goes against its direction, not for G53 G28 G30"},
     {"head change", kSim, "nct-20.5-head", "horizontal head: Y and Z exchanged, X reversed"},
-    {"gantry axes", kHost, "nct-20.6-gantry", "two drives and encoders: one axis to programs"},
+    {"gantry axes", kHost, "nct-20.6-gantry nct-20.6-1008", "two drives and encoders: one axis to programs"},
     {"tandem axes", kHost, "nct-20.7-tandem", "two drives, one encoder: one axis to programs"},
     {"inclined axes", kReject, "nct-20.8-inclined", "X, Y and Z are at right angles"},
 });

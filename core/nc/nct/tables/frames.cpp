@@ -23,8 +23,10 @@ constexpr auto kFramesGCodes = std::to_array<GCode>({
     modal(540, kGroupWorkSystem, kSim, "nct-3-G54 nct-10.2.1-G54", "work system 1", {}, true),
     modal(541, kGroupWorkSystem, kSim, "nct-3-G54.1 nct-10.2.2-G54.1", "extended work systems P1 to P99", "P",
           true),
-    modal(542, kGroupWorkSystem, kSim, "nct-3-G54.2 nct-25.4-G54.2 nct-25.4-FOS", "dynamic zero offset", "P",
-          true),
+    modal(542, kGroupWorkSystem, kSim,
+          "nct-3-G54.2 nct-25.4-G54.2 nct-25.4-FOS nct-25.4-LIN nct-25.4-G0 nct-25.4-END nct-25.4-V0 "
+          "nct-25.4-MECH",
+          "dynamic zero offset", "P", true),
     modal(550, kGroupWorkSystem, kSim, "nct-3-G55 nct-10.2.1-G55", "work system 2", {}, true),
     modal(560, kGroupWorkSystem, kSim, "nct-3-G56 nct-10.2.1-G56", "work system 3", {}, true),
     modal(570, kGroupWorkSystem, kSim, "nct-3-G57 nct-10.2.1-G57", "work system 4", {}, true),
