@@ -152,6 +152,28 @@ std::vector<Case> wireCases() {
   return cases;
 }
 
+/// One surface by an upright tool, a leaning one and one that turns in every block; five lines of it as well,
+/// as all take long. Aim: 1.5 and 6 times the processor time of the upright tool.
+std::vector<Case> fiveAxisCases() {
+  constexpr int kMovesALine = 1001;
+  std::vector<Case> cases;
+  for (const int lines : {5, 100}) {
+    for (const auto& [name, axis] :
+         {std::pair{"upright", FinishingAxis::kUpright}, std::pair{"leaning", FinishingAxis::kLeaning},
+          std::pair{"turning", FinishingAxis::kTurning}}) {
+      Case c{.name = fmt::format("ball {}, {} lines", name, lines),
+             .file = fmt::format("{}{}.nc", name, lines),
+             .text = [lines, axis] { return fiveAxisFinishing(lines, kMovesALine, axis); }};
+      c.grid_mm = 0.1;
+      c.heavy = lines > 5;
+      c.job_file = fmt::format("{}{}.toml", name, lines);
+      c.job = [file = c.file] { return fiveAxisJob(file, PROVEOUT_PARTS "/machines/head_cb.toml"); };
+      cases.push_back(std::move(c));
+    }
+  }
+  return cases;
+}
+
 /// What cost users most once: triangles of flat faces, pictures, curves, mending.
 std::vector<Case> dearCases() {
   std::vector<Case> cases;
@@ -204,7 +226,7 @@ std::string sharedFolder() { return kShared; }
 std::vector<Case> allCases() {
   const bool shared = std::filesystem::exists(sharedFolder() + "/bear.nc");
   std::vector<Case> cases = shared ? samplePrograms() : std::vector<Case>{};
-  for (const auto& more : {generatedCases(), dearCases(), turnedCases(), wireCases()})
+  for (const auto& more : {generatedCases(), dearCases(), turnedCases(), wireCases(), fiveAxisCases()})
     cases.insert(cases.end(), more.begin(), more.end());
   return cases;
 }

@@ -168,6 +168,43 @@ std::string finishingProgram(int lines, int moves_a_line) {
   return text + "G0Z20\nM30\n";
 }
 
+std::string fiveAxisFinishing(int lines, int moves_a_line, FinishingAxis axis) {
+  constexpr double kWide = 100.0, kLeast = 5.0, kMost = 25.0;
+  const auto height = [](double x, double y) { return -8.0 + 3.0 * std::sin(x / 12.0) * std::cos(y / 9.0); };
+  int block = 0;
+  const auto direction = [&]() -> std::string {
+    if (axis == FinishingAxis::kUpright) return "";
+    const bool turns = axis == FinishingAxis::kTurning;
+    const double half = 0.5 * (kMost - kLeast);
+    const double around = turns ? 2.0 * std::numbers::pi * block / 500.0 : 0.5;
+    const double swing = turns ? half * std::sin(2.0 * std::numbers::pi * block / 731.0) : 0.0;
+    const double lean = (kLeast + half + swing) * std::numbers::pi / 180.0;
+    return fmt::format("I{:.6f}J{:.6f}K{:.6f}", std::sin(lean) * std::cos(around),
+                       std::sin(lean) * std::sin(around), std::cos(lean));
+  };
+  std::string text = "T1M6\nG21G90G17G94\nS18000M3\nG54G0X0Y0Z100\n";
+  text += axis == FinishingAxis::kUpright ? "G43H1X0Y0Z20\n" : "G43.5H1X0Y0Z20I0J0K1\n";
+  text += fmt::format("G1Z{:.4f}F3000\n", height(0, 0));
+  for (int line = 0; line < lines; ++line) {
+    const double y = kWide * line / (lines - 1);
+    for (int i = line == 0 ? 1 : 0; i <= moves_a_line; ++i) {
+      const double along = kWide * i / moves_a_line, x = line % 2 == 1 ? kWide - along : along;
+      ++block;
+      fmt::format_to(std::back_inserter(text), "X{:.4f}Y{:.4f}Z{:.4f}{}\n", x, y, height(x, y), direction());
+    }
+  }
+  return text + (axis == FinishingAxis::kUpright ? "G0Z100\nG49\nM30\n" : "G0Z20I0J0K1\nG49\nM30\n");
+}
+
+std::string fiveAxisJob(const std::string& program_file, const std::string& machine_file) {
+  return fmt::format(
+      "schema = \"proveout.job/1\"\nprogram = \"{}\"\ncontrol = \"nct\"\n[machine]\nfile = \"{}\"\n[stock]\n"
+      "shape = \"box\"\nmin = [0, 0, -20]\nmax = [100, 100, 0]\n[[tool]]\nnumber = 1\ntype = \"ball\"\n"
+      "diameter = 6\nflute_length = 30\noverall_length = 60\ngauge_length = 80\n[offsets.work]\n"
+      "G54 = [0, 0, 0]\n[offsets.length]\n1 = 80.0\n",
+      program_file, machine_file);
+}
+
 std::string arcsProgram() {
   std::string text = "T1 M6\nS9000 M3\nG0 X20 Y5\nZ2\nG1 Z-2 F800\nG18\n";
   for (int i = 0; i < 80; ++i) {

@@ -16,6 +16,13 @@ std::string pocketProgram();
 /// zig-zag, each of `moves_a_line` straight moves. Requires lines >= 2 and moves_a_line >= 1.
 std::string finishingProgram(int lines, int moves_a_line);
 
+/// The same on 100 x 100 mm, between Z-11 and Z-5, with tool centre point control where the tool leans:
+/// upright, leaning by 15 degrees, or with the direction turning in every block, by 5 to 25 degrees from +z.
+enum class FinishingAxis { kUpright, kLeaning, kTurning };
+std::string fiveAxisFinishing(int lines, int moves_a_line, FinishingAxis axis);
+/// Its job: ball of 6 mm, the machine in `machine_file`.
+std::string fiveAxisJob(const std::string& program_file, const std::string& machine_file);
+
 /// Arcs in the plane XZ and ramps between them, as a ball finishes a trough: 222 motions in a block of 100 x
 /// 50 mm.
 std::string arcsProgram();
