@@ -190,7 +190,8 @@ TEST(LengthAlongToolRows, TheControlPointGoesOnTheArc) {
 
 TEST(LengthAlongToolRows, ArcsThatNoControlPointCanGoAreRefused) {
   const std::string start = "G54 G0 X50 Y0 Z300 B40 C0\nG43.1 X50 Y0 Z0 H1\n";
-  expectRefused(start + "G3 I-50 B30 F500", machineOf('H'), "nct-rotary-in-arc");
+  for (const char* circle : {"G3 I-50 B30 F500", "G3 X50 Y-0.001 I-50 B30 F500"})
+    expectRefused(start + circle, machineOf('H'), "nct-rotary-in-arc");
   expectRefused("G54 G0 X0 Y0 Z0\nG43 H1 Z50\nG68.2 I90 J30 K0\nG53.1\nG0 X0 Y0\nG2 X20 R20 B50 F100",
                 machineOf('H'), "nct-rotary-in-arc");
 }

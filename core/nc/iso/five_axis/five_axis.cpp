@@ -127,16 +127,15 @@ bool carryArc(IsoContext& c, BlockPlan& plan) {
   PlaneArc& arc = plan.motion.arc;
   const auto at = [](const auto& p) { return Complex(p.x(), p.y()); };
   const Complex from = at(plane.of(stands)), chord = at(arc.end) - at(arc.start);
-  if (std::abs(chord) <= kSamePlaceMm)
-    return c.fail(
-        "rotary-in-arc",
-        "a rotary axis moves the start of this full circle away from its end: the control point has "
-        "no circle to go; G43.4 holds the tip on one");
   const Complex center = from + (at(arc.center) - at(arc.start)) * (at(arc.end) - from) / chord;
   arc.start = plane.of(stands);
   arc.center = {center.real(), center.imag()};
   plan.start = stands;
-  return true;
+  constexpr double kFarthestMm = 1e4;  // beyond it the ends of what was nearly a full circle have parted
+  return (std::abs(chord) > kSamePlaceMm && farthestFromStart(arc) <= kFarthestMm) ||
+         c.fail("rotary-in-arc",
+                "a rotary axis moves the start of this full circle away from its end: the control point has "
+                "no circle to go; G43.4 holds the tip on one");
 }
 
 void warnOfLengthBesideTool(IsoContext& c, const BlockPlan& plan, const AxisPoint& target) {
