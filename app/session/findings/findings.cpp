@@ -123,10 +123,46 @@ void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
   }
 }
 
+namespace {
+
+bool isOneBlock(const SourceRef& a, const SourceRef& b) {
+  return a.file == b.file && a.line == b.line && a.depth == b.depth;
+}
+
+/// Whether all motions between two events are of one block; of commands that keep no motions, true.
+bool goesOn(const Toolpath& path, const Toolpath::EventAt& last, const Toolpath::EventAt& now) {
+  if (!isOneBlock(last.event.source, now.event.source)) return false;
+  const std::size_t end = std::min<std::size_t>(now.before, path.motions.size());
+  for (std::size_t i = last.before; i < end; ++i) {
+    if (!isOneBlock(path.motions[i].source, now.event.source)) return false;
+  }
+  return true;
+}
+
+/// An axis that is beyond its limit in a block, as it was told last.
+struct ToldOvertravel {
+  Toolpath::EventAt at;
+  event::Overtravel what;
+  std::size_t finding;
+};
+
+}  // namespace
+
+/// A block may go in many pieces: each axis is told once, with how far it goes.
 void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vector<Finding>& findings) {
+  std::vector<ToldOvertravel> told;
   for (const Toolpath::EventAt& at : path.events) {
     const auto* overtravel = at.event.as<event::Overtravel>();
     if (overtravel == nullptr) continue;
+    std::erase_if(told, [&](const ToldOvertravel& last) { return !goesOn(path, last.at, at); });
+    const auto known = std::find_if(told.begin(), told.end(), [&](const ToldOvertravel& last) {
+      return last.what.axis == overtravel->axis && last.what.limit == overtravel->limit;
+    });
+    if (known != told.end()) {
+      known->at = at;
+      const double limit = overtravel->limit;
+      if (std::abs(overtravel->value - limit) <= std::abs(known->what.value - limit)) continue;
+    }
     Finding finding(FindingKind::kOvertravel);
     finding.source = blockRef(path, at.event.source, texts);
     // The event precedes its motion.
@@ -139,6 +175,12 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
     const char* const unit = rotary ? "deg" : "mm";
     finding.message = fmt::format("{0} goes to {1} {3}, past its limit of {2} {3} (machine frame)",
                                   overtravel->axis, overtravel->value + 0.0, overtravel->limit + 0.0, unit);
+    if (known != told.end()) {
+      known->what = *overtravel;
+      findings[known->finding] = std::move(finding);
+      continue;
+    }
+    told.push_back({at, *overtravel, findings.size()});
     findings.push_back(std::move(finding));
   }
 }

@@ -223,6 +223,26 @@ TEST_F(Fixture, OvertravelAndAlarms) {
   EXPECT_EQ(findings[1].motion, 1u);
 }
 
+/// The pieces of one block tell the farthest place of each axis; another block is told by itself.
+TEST_F(Fixture, OvertravelIsToldOnceABlock) {
+  PathEvent event;
+  event.source = {0, 2, 20, 0};
+  for (const double x : {401.0, 407.0, 404.0}) {
+    event.what = event::Overtravel{"X", x, 400.0, {}};
+    path.events.push_back({kNoMotion, event});
+    event.what = event::Overtravel{"Y", -5.0, 0.0, {}};
+    path.events.push_back({kNoMotion, event});
+  }
+  event.source = {0, 1, 10, 0};
+  event.what = event::Overtravel{"X", 402.0, 400.0, {}};
+  path.events.push_back({kNoMotion, event});
+  addOvertravel(path, source, findings);
+  ASSERT_EQ(findings.size(), 3u);
+  EXPECT_EQ(findings[0].message, "X goes to 407 mm, past its limit of 400 mm (machine frame)");
+  EXPECT_EQ(findings[1].message, "Y goes to -5 mm, past its limit of 0 mm (machine frame)");
+  EXPECT_EQ(findings[2].message, "X goes to 402 mm, past its limit of 400 mm (machine frame)");
+}
+
 TEST_F(Fixture, AForbiddenZoneNamesItsBlockAndPlace) {
   PathEvent event;
   event.what = event::ForbiddenZone{2, 3042, "inner forbidden zone 2"};

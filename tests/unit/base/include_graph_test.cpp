@@ -264,7 +264,7 @@ TEST(BodyWall, NobodyElseAsksWhatKindABodyIs) {
           "BodyKind",   "LineSweep",  "ArcSweep",     "TurnSweep",      "UprightSweep",  "WaySweep",
           "columnLine", "columnArc",  "columnTurns",  "columnUprights", "columnParts",   "CurveWay",
           "kernelsOf",  "round_top",  "LeanLine",     "LeanArc",        "LeanChordBody", "LineMeeting",
-          "PosedBody",  "PosedPiece", "PosedTrack"}) {
+          "PosedBody",  "PosedPiece", "PosedTrack",   "PoseRunBody",    "PosePiece"}) {
       const bool named = all.find(name) != std::string::npos;
       if (within) kinds += named ? 1 : 0;
       EXPECT_TRUE(within || !named) << file << ": " << name;

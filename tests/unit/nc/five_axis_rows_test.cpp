@@ -152,7 +152,8 @@ TEST(LengthAlongToolRows, TheControlPointGoesOnTheArc) {
   const Outcome cone = runOf(start + "G3 X0 Y50 R50 C90 F500", settings);
   expectTip(cone, 3, {0, 50, 0});
   for (const Motion& m : cone.path.motions) {
-    if (m.source.line == 3) EXPECT_NEAR(m.to.head<2>().norm(), 50.0, 1e-6);
+    if (m.source.line != 3) continue;
+    EXPECT_NEAR(m.to.head<2>().norm(), 50.0, 1e-6);
   }
   // The head rises on the way too: the control point goes on the quarter between the ends that it has.
   const Outcome leaning = runOf(start + "G3 X0 Y50 R50 C90 B30 F500", settings);

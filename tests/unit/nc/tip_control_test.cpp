@@ -194,7 +194,8 @@ TEST(TipControl, AWrongParameterShowsAlongTheWay) {
   double worst = 0.0;
   for (const Motion& m : out.path.motions) {
     if (m.source.line != 3) continue;
-    if (pieces++ > 0) EXPECT_LT((m.from - last).norm(), 1e-9);
+    EXPECT_LT(pieces == 0 ? 0.0 : (m.from - last).norm(), 1e-9);
+    ++pieces;
     last = m.to;
     worst = std::max(worst, std::abs(m.to.x() - 60.0));
   }
