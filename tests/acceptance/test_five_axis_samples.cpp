@@ -71,6 +71,23 @@ INSTANTIATE_TEST_SUITE_P(Jobs, FiveAxisSamples,
                                          Sample{"impeller", "impeller/job.toml", 18916.205, 5e-4}),
                          [](const auto& test) { return std::string(test.param.name); });
 
+/// A leaning and turning tool leaves the same bytes whatever the machine's vectors and threads.
+TEST(FiveAxisSampleBytes, DoNotDependOnVectorsAndThreads) {
+  const Workbench bench;
+  const fs::path file = fs::path(PROVEOUT_SOURCE_DIR) / "parts/ruled_wall/job.toml";
+  const std::string run = "run '" + file.string() + "' --no-render --resolution 1 --format stl --out ";
+  ASSERT_LE(bench.run(run + "plain --threads 1", "timeout 100 env PROVEOUT_SIMD=baseline").exit_code, 1);
+  ASSERT_LE(bench.run(run + "wide --threads 2").exit_code, 1);
+  std::set<std::string> meshes;
+  for (const char* folder : {"plain", "wide"}) {
+    for (const auto& entry : fs::directory_iterator(bench.path(folder))) {
+      if (entry.path().extension() == ".stl") meshes.insert(readFile(entry.path().string()));
+    }
+  }
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_GT(meshes.begin()->size(), 1000u);
+}
+
 /// The control takes the table for 0.2 mm beside where it is: every arc of the flank is off.
 TEST(FiveAxisSampleFaults, AWrongParameterOfTheTable) {
   const Ran run = ran("cone_frustum/wrong-parameter.toml");
