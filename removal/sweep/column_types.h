@@ -119,12 +119,12 @@ struct PoseSolid {
   struct Rim {
     double z, radius2;
   };
-  int zones = 0, rims = 0;
+  int zones = 0, rims = 0;  ///< no zones: the kernels do not know the solid
   Zone zone[kMost];
   Rim rim[2 * kMost];
 };
 
-/// Tip and axis (unit) of a tool, mm.
+/// Tip and axis (unit) of a tool, mm. The axis rises or falls by kLeastAxisRise at the least (pose_solid.h).
 struct PoseAt {
   double x, y, z, ax, ay, az;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/assert.h"
 
@@ -27,16 +28,25 @@ constexpr double kSameRadiusMm = 1e-7;
 /// Curves with a smaller radius, mm, or angle are cut as chords.
 constexpr double kLeastCurve = 1e-3;
 
-/// Chords of the way of a point at height `up` on the axis, on one stretch.
-double chordsOn(const PosedStretch& stretch, double up) {
-  return std::ceil(std::sqrt((stretch.tip[1] + up * stretch.axis[1]) / (2.0 * kBallChordMm)));
+/// Chords of a ball's way on one stretch.
+double chordsOn(const PosedStretch& stretch, const SolidParts::Ball& ball) {
+  const double bend = stretch.tip[1] + ball.solid.radius * stretch.axis[1];
+  return std::max(1.0, std::ceil(std::sqrt(bend / (2.0 * kBallChordMm))));
 }
 
-/// The same on the stretch that needs most.
-double ballChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
-  double most = 0.0;
-  for (const PosedStretch& stretch : sweep.stretches()) most = std::max(most, chordsOn(stretch, ball.center));
-  return most;
+bool hasFewChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
+  return std::all_of(sweep.stretches().begin(), sweep.stretches().end(),
+                     [&](const PosedStretch& stretch) { return chordsOn(stretch, ball) <= kMostBallChords; });
+}
+
+/// The ball that is a body by itself; null: none. Of what is watched there is one body.
+const SolidParts::Ball* ballToPart(const SolidParts& parts, const PartUse& part) {
+  return part.takes && parts.ball ? &*parts.ball : nullptr;
+}
+
+/// From the tip of a tool to the lowest point of its ball.
+Vec3 lowestOf(const SolidParts::Ball& ball, const Vec3& axis) {
+  return ball.solid.radius * (axis - Vec3::UnitZ());
 }
 
 /// The ball at the lower end of a solid, if all of it lies in the solid.
@@ -47,7 +57,6 @@ std::optional<SolidParts::Ball> ballOf(const ConvexProfile& profile) {
     return std::nullopt;
   if (profile.sample(0.0, end.cz).value > kIn - end.radius) return std::nullopt;
   SolidParts::Ball ball;
-  ball.center = end.cz;
   ball.profile.start(0.0, 0.0);
   ball.profile.arcTo(0.0, end.radius, 0.0, 2.0 * end.radius);
   ball.profile.setFirstElementId(profile.firstElementId() + kBallIds);
@@ -63,6 +72,7 @@ std::optional<SolidParts::Ball> ballOf(const ConvexProfile& profile) {
     }
   }
   ball.rest.setFirstElementId(profile.firstElementId());
+  ball.rest_poses = poseSolid(ball.rest);
   return ball;
 }
 
@@ -119,16 +129,16 @@ void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
   const Motion& m = way.motion;
   const ToolFrame tool(way.direction());
   if (way.arc == nullptr) {
-    const SolidParts& parts = partsOf(*part.profile, part.takes);
-    const auto& ball = parts.ball;
-    const ConvexProfile& profile = ball ? ball->rest : *part.profile;
+    const SolidParts& parts = partsOf(*part.profile);
+    const SolidParts::Ball* const ball = ballToPart(parts, part);
+    const ConvexProfile& profile = ball != nullptr ? ball->rest : *part.profile;
+    bodies_.push_back({SweptBody(
+        profile, LeanLineBody(store_.lean_lines.emplace_back(
+                     profile, tool, m.from, m.to, ball != nullptr ? ball->rest_poses : parts.poses)))});
+    if (ball == nullptr) return;
+    const Vec3 lowest = lowestOf(*ball, tool.axis());
     bodies_.push_back(
-        {SweptBody(profile, LeanLineBody(store_.lean_lines.emplace_back(
-                                profile, tool, m.from, m.to, parts.poses ? &*parts.poses : nullptr)))});
-    if (!ball) return;
-    const Vec3 bottom = ball->center * tool.axis() - ball->solid.radius * Vec3::UnitZ();
-    bodies_.push_back(
-        {SweptBody(ball->profile, LineBody(columnLine(ball->solid, m.from + bottom, m.to + bottom)))});
+        {SweptBody(ball->profile, LineBody(columnLine(ball->solid, m.from + lowest, m.to + lowest)))});
     return;
   }
   const SweptField& curve = store_.fields.emplace_back(motionField(*part.profile, way));
@@ -157,12 +167,13 @@ void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const
   const double radius = std::max({frame.radius_start, frame.radius_end, 1e-6});
   const double within = std::min(part.cuts ? kChordMm : kContactChordMm, radius);
   const double step = std::sqrt(8.0 * within / radius);
+  const PoseSolid& solid = partsOf(*part.profile).poses;
   const int count =
       static_cast<int>(std::clamp(std::ceil(std::abs(way.arc->sweep_rad) / step), 1.0, kMostChords));
   Vec3 from = m.from;
   for (int i = 0; i < count; ++i) {
     const Vec3 to = i + 1 == count ? m.to : arcPoint(frame, *way.arc, (i + 1.0) / count);
-    const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to, nullptr);
+    const LeanLine& line = store_.lean_lines.emplace_back(*part.profile, tool, from, to, solid);
     from = to;
     bodies_.push_back({SweptBody(*part.profile, LeanChordBody(line), &curve)});
   }
@@ -170,66 +181,56 @@ void BodyMaker::addLeanChords(const MotionWay& way, const ToolFrame& tool, const
 
 /// What a tool sweeps whose axis turns: its ball by itself, where it has one, and the rest.
 void BodyMaker::addPosed(const MotionWay& way, const PartUse& part) {
-  const SolidParts& parts = partsOf(*part.profile, part.takes);
-  if (parts.ball) {
-    const SweptField& rest = store_.fields.emplace_back(motionField(parts.ball->rest, way));
-    if (ballChords(*rest.posed(), *parts.ball) <= kMostBallChords) {
-      // The ball last: what stands above it is gone then.
-      addStretches(rest, parts.ball->rest, parts.poses ? &*parts.poses : nullptr);
-      addBallChords(store_.fields.emplace_back(motionField(parts.ball->profile, way)), *parts.ball);
-      return;
-    }
-    store_.fields.pop_back();
-  }
-  const SweptField& whole = store_.fields.emplace_back(motionField(*part.profile, way));
-  addStretches(whole, *part.profile, parts.poses && !parts.ball ? &*parts.poses : nullptr);
+  const SolidParts& parts = partsOf(*part.profile);
+  const SolidParts::Ball* const ball = ballToPart(parts, part);
+  const PosedSweep whole(*part.profile, way);
+  if (ball == nullptr || !hasFewChords(whole, *ball)) return addStretches(whole, parts.poses);
+  // The ball last: what stands above it is gone then.
+  addStretches(PosedSweep(ball->rest, whole), ball->rest_poses);
+  addBallChords(PosedSweep(ball->profile, whole), *ball);
 }
 
 /// The ball's way in chords.
-void BodyMaker::addBallChords(const SweptField& whole, const SolidParts::Ball& ball) {
-  const PosedSweep& sweep = *whole.posed();
-  const double down = ball.solid.radius;
-  const auto bottom = [&](const PosedStretch& s, double t) {
+void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball) {
+  const SweptField& whole = store_.fields.emplace_back(sweep);
+  const auto lowest = [&](const PosedStretch& s, double t) {
     const PosedStretch::Pose pose = s.poseAt(t);
-    return Vec3(pose.tip + ball.center * pose.axis - down * Vec3::UnitZ());
+    return Vec3(pose.tip + lowestOf(ball, pose.axis));
   };
   for (const PosedStretch& s : sweep.stretches()) {
-    const int count = std::max(1, static_cast<int>(chordsOn(s, ball.center)));
-    Vec3 from = bottom(s, -1.0);
+    const int count = static_cast<int>(chordsOn(s, ball));
+    Vec3 from = lowest(s, -1.0);
     for (int i = 1; i <= count; ++i) {
-      const Vec3 to = bottom(s, 2.0 * i / count - 1.0);
+      const Vec3 to = lowest(s, 2.0 * i / count - 1.0);
       bodies_.push_back({SweptBody(ball.profile, ChordBody(columnLine(ball.solid, from, to)), &whole)});
       from = to;
     }
   }
 }
 
-/// Poses of each stretch, or the intervals in which a column may meet it.
-void BodyMaker::addStretches(const SweptField& whole, const ConvexProfile& profile, const PoseSolid* solid) {
+/// Poses of each stretch, or the intervals in which a column may meet it. `solid`: of the sweep's profile.
+void BodyMaker::addStretches(PosedSweep of, const PoseSolid& solid) {
+  const SweptField& whole = store_.fields.emplace_back(std::move(of));
   const PosedSweep& sweep = *whole.posed();
-  if (solid != nullptr && PosePiece::serves(sweep)) {
+  if (solid.zones > 0 && PosePiece::serves(sweep)) {
     const std::size_t first = store_.pose_pieces.size();
     for (const PosedStretch& stretch : sweep.stretches())
-      PosePiece::cut(sweep, stretch, *solid, store_.pose_pieces);
+      PosePiece::cut(sweep, stretch, solid, store_.pose_pieces);
     for (std::size_t k = first; k < store_.pose_pieces.size(); ++k)
-      bodies_.push_back({SweptBody(profile, PoseRunBody(store_.pose_pieces[k]), &whole)});
+      bodies_.push_back({SweptBody(sweep.profile(), PoseRunBody(store_.pose_pieces[k]), &whole)});
     return;
   }
   for (std::size_t i = 0; i < sweep.stretches().size(); ++i) {
     const PosedPiece& piece = store_.posed_pieces.emplace_back(sweep, i);
     for (int number = 0; number < PosedPiece::kMostSpans; ++number)
-      bodies_.push_back({SweptBody(profile, PosedBody(piece, number), &whole)});
+      bodies_.push_back({SweptBody(sweep.profile(), PosedBody(piece, number), &whole)});
   }
 }
 
-/// `takes`: as PartUse::takes. What is watched is asked for as one body, so that its ball stays in it.
-const SolidParts& BodyMaker::partsOf(const ConvexProfile& profile, bool takes) {
-  const auto [at, fresh] = store_.parts[takes ? 1 : 0].try_emplace(&profile);
-  SolidParts& parts = at->second;
-  if (!fresh) return parts;
-  if (takes) parts.ball = ballOf(profile);
-  parts.poses = poseSolid(parts.ball ? parts.ball->rest : profile);
-  return parts;
+const SolidParts& BodyMaker::partsOf(const ConvexProfile& profile) {
+  const auto [at, fresh] = store_.parts.try_emplace(&profile);
+  if (fresh) at->second = {poseSolid(profile), ballOf(profile)};
+  return at->second;
 }
 
 bool BodyMaker::isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const {

@@ -2,7 +2,6 @@
 // place that knows what kinds there are and when each serves.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <optional>
@@ -18,13 +17,13 @@ namespace proveout {
 
 /// What the bodies of tools that lean or turn know of one profile.
 struct SolidParts {
-  std::optional<PoseSolid> poses;  ///< of `rest`
-  /// A ball that lies in the solid and bounds its end: it goes the same way however the tool leans, and the
-  /// rest of the solid, which is the solid with a disc in its place, does not reach lower than that.
+  PoseSolid poses;
+  /// A ball at the tip that lies in the solid: it goes the same way however the tool leans.
   struct Ball {
-    ConvexProfile profile, rest;
-    ColumnSolid solid;
-    double center;  ///< above the tip, mm
+    ConvexProfile profile;
+    ColumnSolid solid;   ///< of the ball
+    ConvexProfile rest;  ///< the solid with a disc in place of its end
+    PoseSolid rest_poses;
   };
   std::optional<Ball> ball;
 };
@@ -37,8 +36,7 @@ struct BodyStore {
   std::deque<LeanArc> lean_arcs;
   std::deque<PosedPiece> posed_pieces;
   std::deque<PosePiece> pose_pieces;
-  std::array<std::unordered_map<const ConvexProfile*, SolidParts>, 2>
-      parts;  ///< with a ball by itself: second
+  std::unordered_map<const ConvexProfile*, SolidParts> parts;
 };
 
 /// The field of a part on a whole motion. `profile` must outlive it.
@@ -78,9 +76,9 @@ class BodyMaker {
   void addLeanChords(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                      const SweptField& curve);
   void addPosed(const MotionWay& way, const PartUse& part);
-  void addBallChords(const SweptField& whole, const SolidParts::Ball& ball);
-  void addStretches(const SweptField& whole, const ConvexProfile& profile, const PoseSolid* solid);
-  const SolidParts& partsOf(const ConvexProfile& profile, bool takes);
+  void addBallChords(const PosedSweep& sweep, const SolidParts::Ball& ball);
+  void addStretches(PosedSweep of, const PoseSolid& solid);
+  const SolidParts& partsOf(const ConvexProfile& profile);
   bool isLevelArc(const ArcGeometry& arc, const ArcFrame& frame) const;
   bool addTurns(const Motion& m, const ArcFrame& frame, const PartUse& part, const SweptField& curve);
   void addTurnsAboutZ(const Motion& m, const PartUse& part, const SweptField& curve);

@@ -13,6 +13,9 @@ class PosedSweep {
  public:
   /// `profile` must outlive the sweep.
   PosedSweep(const ConvexProfile& profile, const MotionWay& way);
+  /// What another part of the tool sweeps on the way of `beside`.
+  PosedSweep(const ConvexProfile& profile, const PosedSweep& beside)
+      : profile_(&profile), track_(beside.track_) {}
 
   // As those of Sweep; all in the workpiece frame.
 

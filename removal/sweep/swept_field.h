@@ -30,6 +30,7 @@ class SweptField {
   /// A part whose axis turns; see MotionWay::turns.
   SweptField(const ConvexProfile& profile, const MotionWay& way)
       : way_(std::in_place_type<PosedSweep>, profile, way) {}
+  explicit SweptField(PosedSweep way) : way_(std::move(way)) {}
 
   /// Distance at `p`, mm, on lines to within `tolerance`, mm. Values above `cutoff` may be returned as any
   /// lower bound above `cutoff`.

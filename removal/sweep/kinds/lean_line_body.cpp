@@ -1,6 +1,7 @@
 #include "removal/sweep/kinds/lean_line_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "removal/sweep/leaning_sweep.h"
@@ -17,12 +18,13 @@ ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + 
 }  // namespace
 
 LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end,
-                   const PoseSolid* known)
-    : profile(&of), solid(known), frame(in), from(start), to(end), way(in.toTool(end - start)) {
-  const Vec3 a = in.axis();
-  if (std::abs(a.z()) < kLeastAxisRise) solid = nullptr;
-  ends = {PoseAt{start.x(), start.y(), start.z(), a.x(), a.y(), a.z()},
-          PoseAt{end.x(), end.y(), end.z(), a.x(), a.y(), a.z()}};
+                   const PoseSolid& known)
+    : profile(&of),
+      solid(known.zones > 0 && std::abs(in.axis().z()) >= kLeastAxisRise ? &known : nullptr),
+      frame(in),
+      from(start),
+      to(end),
+      way(in.toTool(end - start)) {
   const Box3 tool = leaningBounds(of, frame);
   bounds = {start.cwiseMin(end) + tool.min, start.cwiseMax(end) + tool.max};
 }
@@ -49,10 +51,12 @@ ColumnSpan LeanLine::around(double x, double y, double half_width) const {
 }
 
 void LeanLine::columns(const double* x, const double* y, int count, double* lo, double* hi) const {
+  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
   columnKernels().poses({solid, ends.data(), 2, true}, x, y, count, lo, hi);
 }
 
 void LeanLine::reach(const FourBlocks& blocks, double* low, double* high) const {
+  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
   reachOfRun({solid, ends.data(), 2, true}, 0.0, bounds, blocks, low, high);
 }
 

@@ -2,8 +2,6 @@
 // have no body of their own.
 #pragma once
 
-#include <array>
-
 #include "removal/sweep/kinds/line_meeting.h"
 #include "removal/sweep/kinds/pose_solid.h"
 #include "removal/sweep/tool_frame.h"
@@ -12,10 +10,10 @@ namespace proveout {
 
 /// A part of a tool that leans, on a line. Lengths in mm.
 struct LeanLine {
-  /// `from`, `to`: of the tip, workpiece frame. `profile` must outlive this, and `solid`, what the kernels
-  /// know of it; null: nothing.
+  /// `from`, `to`: of the tip, workpiece frame. `profile` must outlive this, and so must `solid`, what the
+  /// kernels know of it.
   LeanLine(const ConvexProfile& of, const ToolFrame& frame, const Vec3& from, const Vec3& to,
-           const PoseSolid* solid);
+           const PoseSolid& solid);
 
   /// The line through `p` along a unit direction, both of the workpiece frame; in the tool's frame, its
   /// origin at the tip's start.
@@ -30,8 +28,7 @@ struct LeanLine {
   void reach(const FourBlocks& blocks, double* low, double* high) const;
 
   const ConvexProfile* profile;
-  const PoseSolid* solid;      ///< null: columns are found one by one
-  std::array<PoseAt, 2> ends;  ///< of the way
+  const PoseSolid* solid;  ///< null: columns are found one by one
   ToolFrame frame;
   Vec3 from, to;  ///< of the tip, workpiece frame
   Vec3 way;       ///< from the start to the end, tool frame
@@ -48,10 +45,6 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
     if (line->solid == nullptr) return ScalarBody::columns(x, y, count, lo, hi);
     line->columns(x, y, count, lo, hi);
-  }
-  void leafColumns(LeafColumns& leaf, unsigned quarters) const {
-    if (line->solid == nullptr) return ScalarBody::leafColumns(leaf, quarters);
-    columnsOfQuarters(*this, leaf, quarters);
   }
   void reach(const FourBlocks& blocks, double* low, double* high) const {
     if (line->solid == nullptr) return ScalarBody::reach(blocks, low, high);

@@ -10,8 +10,8 @@ namespace {
 using proveout::PoseRun;
 using proveout::PoseSolid;
 
-/// A tool that lies flatter than this lies so, and a quadratic that is no more than this is linear.
-constexpr double kLeastRise = 1e-9, kLeastSquare = 1e-24;
+/// A quadratic that is no more than this is linear.
+constexpr double kLeastSquare = 1e-24;
 
 /// What a zone of the solid covers of the columns at one pose. `u`: along the axis from the tip to where a
 /// column is at the tip's height; w2: square of the level distance.
@@ -100,14 +100,13 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
   for (int i = 0; i < n; ++i) lo[i] = kNoHeight, hi[i] = -kNoHeight;
   for (int p = 0; p < run.count; ++p) {
     const proveout::PoseAt& pose = run.poses[p];
-    const double steep = pose.az < 0.0 ? -pose.az : pose.az;
-    const double az = steep > kLeastRise ? pose.az : kLeastRise, inverse = 1.0 / az;
+    const double inverse = 1.0 / pose.az;
     for (int i = 0; i < n; ++i) {
       const double qx = x[i] - pose.x, qy = y[i] - pose.y;
       u[i] = qx * pose.ax + qy * pose.ay;
       w2[i] = qx * qx + qy * qy;
     }
-    for (int k = 0; k < solid.zones; ++k) poseZone(solid.zone[k], az, pose.z, u, w2, n, lo, hi);
+    for (int k = 0; k < solid.zones; ++k) poseZone(solid.zone[k], pose.az, pose.z, u, w2, n, lo, hi);
     if (run.straight) continue;
     for (int k = 0; k < solid.rims; ++k) {
       const double h = solid.rim[k].z, within = h * h + solid.rim[k].radius2;

@@ -1,6 +1,7 @@
 #include "removal/sweep/kinds/pose_run_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "removal/sweep/leaning_sweep.h"
@@ -23,12 +24,19 @@ int PosePiece::posesOn(const PosedSweep& sweep, const PosedStretch& stretch) {
   const double way = 2.0 * stretch.mostShift(reachOf(sweep.profile()));
   const double step = std::sqrt(8.0 * kPosesMm * leastRadius(sweep.profile()));
   const double count = std::ceil(way / step);
-  return count > kMostOnStretch ? 0 : std::max(1, static_cast<int>(count));
+  return count <= kMostOnStretch ? std::max(1, static_cast<int>(count)) : 0;  // 0 of a point as well
 }
 
 bool PosePiece::serves(const PosedSweep& sweep) {
   return std::all_of(sweep.stretches().begin(), sweep.stretches().end(),
                      [&](const PosedStretch& stretch) { return posesOn(sweep, stretch) > 0; });
+}
+
+void PosePiece::cut(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid,
+                    std::deque<PosePiece>& out) {
+  const int count = posesOn(sweep, stretch);
+  for (int first = 0; first < count; first += kMostSteps)
+    out.emplace_back(sweep, stretch, solid, first, std::min(first + kMostSteps, count), count);
 }
 
 PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, int first,
@@ -37,7 +45,7 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
   const ConvexProfile& part = sweep.profile();
   for (int i = first; i <= last; ++i) {
     const PosedStretch::Pose pose = stretch.poseAt(2.0 * i / count - 1.0);
-    poses_.push_back({pose.tip.x(), pose.tip.y(), pose.tip.z(), pose.axis.x(), pose.axis.y(), pose.axis.z()});
+    poses_.push_back(poseAt(pose.tip, pose.axis));
     if (i != first && i != last) continue;
     const Box3 box = leaningBounds(part, ToolFrame(pose.axis));
     bounds_.extend(Vec3(pose.tip + box.min));

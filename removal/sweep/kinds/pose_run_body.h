@@ -1,6 +1,7 @@
 // Bodies of tools whose axis turns, as poses that stand close together.
 #pragma once
 
+#include <deque>
 #include <vector>
 
 #include "removal/sweep/kinds/body_defaults.h"
@@ -23,12 +24,8 @@ class PosePiece {
   /// poses.
   static bool serves(const PosedSweep& sweep);
   /// Appends the pieces of a stretch. `solid`, of the sweep's profile, must outlive them. Requires `serves`.
-  template <typename Pieces>
-  static void cut(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, Pieces& out) {
-    const int count = posesOn(sweep, stretch);
-    for (int first = 0; first < count; first += kMostSteps)
-      out.emplace_back(sweep, stretch, solid, first, std::min(first + kMostSteps, count), count);
-  }
+  static void cut(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid,
+                  std::deque<PosePiece>& out);
   /// Poses from `first` to `last` of those that part the stretch into `count`.
   PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, int first, int last,
             int count);

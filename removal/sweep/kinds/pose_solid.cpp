@@ -21,11 +21,11 @@ double leastRadius(const ConvexProfile& profile) {
   return least;
 }
 
-std::optional<PoseSolid> poseSolid(const ConvexProfile& profile) {
+PoseSolid poseSolid(const ConvexProfile& profile) {
   PoseSolid solid;
   for (int i = 0; i < profile.elementCount(); ++i) {
     const ConvexProfile::Element& e = profile.element(i);
-    if (e.arc && e.cr != 0.0) return std::nullopt;
+    if (e.arc && e.cr != 0.0) return {};
     if (e.br > 0.0) solid.rim[solid.rims++] = {e.bz, e.br * e.br};
     if (!e.arc && e.dz == 0.0) continue;
     PoseSolid::Zone& zone = solid.zone[solid.zones++];

@@ -1,8 +1,6 @@
 // Solids of revolution as the kernels of leaning tools take them.
 #pragma once
 
-#include <optional>
-
 #include "core/geometry/types.h"
 #include "core/tool/profile.h"
 #include "removal/sweep/column_types.h"
@@ -12,8 +10,12 @@ namespace proveout {
 /// A tool whose axis rises less leaves rims that the kernels do not follow.
 inline constexpr double kLeastAxisRise = 0.25;
 
-/// What the kernels know of a profile. Nothing where it has round corners.
-std::optional<PoseSolid> poseSolid(const ConvexProfile& profile);
+/// What the kernels know of a profile; no zones where it has round corners.
+PoseSolid poseSolid(const ConvexProfile& profile);
+
+inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
+  return {tip.x(), tip.y(), tip.z(), axis.x(), axis.y(), axis.z()};
+}
 
 /// Least radius at which faces of the profile bend around its axis, mm; 0: it has a point.
 double leastRadius(const ConvexProfile& profile);

@@ -26,13 +26,7 @@ struct ScalarBody : BodyDefaults {
       lo[i] = span.lo, hi[i] = span.hi;
     }
   }
-  void leafColumns(LeafColumns& leaf, unsigned quarters) const {
-    for (int q = 0; q < 4; ++q) {
-      const int from = q * kQuarter;
-      if ((quarters >> q & 1) != 0)
-        columns(leaf.x + from, leaf.y + from, kQuarter, leaf.lo + from, leaf.hi + from);
-    }
-  }
+  void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(kind(), leaf, quarters); }
   void reach(const FourBlocks& blocks, double* low, double* high) const {
     for (int i = 0; i < 4; ++i) {
       const ColumnSpan span = kind().around(blocks.x[i], blocks.y[i], blocks.half_width);
