@@ -14,4 +14,9 @@ struct SourceRef {
   std::int32_t origins = -1;  ///< index into OriginTables::sets: the words in force; -1: not recorded
 };
 
+/// Of one block: the same line of a file, called as deep.
+inline bool sameBlock(const SourceRef& a, const SourceRef& b) {
+  return a.file == b.file && a.line == b.line && a.depth == b.depth;
+}
+
 }  // namespace proveout

@@ -116,15 +116,6 @@ void runPrograms(Job job) {
   }
 }
 
-std::string said(const Diagnostics& diagnostics) {
-  std::string text;
-  for (const Diagnostic& d : diagnostics.all()) {
-    require(!d.message.empty() && !d.code.empty(), "a diagnostic says something");
-    text += formatDiagnostic(d);
-  }
-  return text;
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

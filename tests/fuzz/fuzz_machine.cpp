@@ -33,15 +33,6 @@ const ScratchFolder& folder() {
   return folder;
 }
 
-std::string said(const Diagnostics& diagnostics) {
-  std::string text;
-  for (const Diagnostic& d : diagnostics.all()) {
-    require(!d.message.empty() && !d.code.empty(), "a diagnostic says something");
-    text += formatDiagnostic(d);
-  }
-  return text;
-}
-
 /// Positions of all axes, within travel, from a seed.
 AxisPoint placeOf(const MachineModel& model, std::size_t seed) {
   AxisPoint place;

@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/diagnostics.h"
+
 namespace proveout {
 
 /// Ends the process where a law does not hold; the fuzzer keeps the input.
@@ -16,6 +18,16 @@ inline void require(bool holds, const char* law) {
   if (holds) return;
   std::fprintf(stderr, "does not hold: %s\n", law);
   std::abort();
+}
+
+/// All that was told.
+inline std::string said(const Diagnostics& diagnostics) {
+  std::string text;
+  for (const Diagnostic& d : diagnostics.all()) {
+    require(!d.message.empty() && !d.code.empty(), "a diagnostic says something");
+    text += formatDiagnostic(d);
+  }
+  return text;
 }
 
 /// A folder of this process in memory (/dev/shm, where there is one), removed at the end.

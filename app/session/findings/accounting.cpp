@@ -152,10 +152,6 @@ std::string_view kindOf(const Step& step) {
   return step.motion ? motionKindName(step.motion->kind) : std::string_view("event");
 }
 
-bool sameBlock(const SourceRef& a, const SourceRef& b) {
-  return a.file == b.file && a.line == b.line && a.depth == b.depth;
-}
-
 }  // namespace
 
 double lengthOfCut(const Toolpath& path, const Motion& motion, double removed_mm3) {

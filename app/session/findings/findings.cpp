@@ -125,16 +125,12 @@ void addAlarms(const Toolpath& path, std::vector<Finding>& findings) {
 
 namespace {
 
-bool isOneBlock(const SourceRef& a, const SourceRef& b) {
-  return a.file == b.file && a.line == b.line && a.depth == b.depth;
-}
-
 /// Whether all motions between two events are of one block; of commands that keep no motions, true.
 bool goesOn(const Toolpath& path, const Toolpath::EventAt& last, const Toolpath::EventAt& now) {
-  if (!isOneBlock(last.event.source, now.event.source)) return false;
+  if (!sameBlock(last.event.source, now.event.source)) return false;
   const std::size_t end = std::min<std::size_t>(now.before, path.motions.size());
   for (std::size_t i = last.before; i < end; ++i) {
-    if (!isOneBlock(path.motions[i].source, now.event.source)) return false;
+    if (!sameBlock(path.motions[i].source, now.event.source)) return false;
   }
   return true;
 }
@@ -178,10 +174,10 @@ void addOvertravel(const Toolpath& path, const RecordingSource& texts, std::vect
     if (known != told.end()) {
       known->what = *overtravel;
       findings[known->finding] = std::move(finding);
-      continue;
+    } else {
+      told.push_back({at, *overtravel, findings.size()});
+      findings.push_back(std::move(finding));
     }
-    told.push_back({at, *overtravel, findings.size()});
-    findings.push_back(std::move(finding));
   }
 }
 

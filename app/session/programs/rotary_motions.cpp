@@ -29,8 +29,7 @@ bool checkRotaryMotions(Toolpath& path, const RecordingSource& source) {
     diagnostic.code = "rotary-motion";
     diagnostic.message = fmt::format(
         "this motion uses rotary axis {}, and nothing says what it turns: describe it in the machine file or "
-        "by "
-        "carries = \"part\" in [[machine.axis]]",
+        "by carries = \"part\" in [[machine.axis]]",
         name);
     diagnostic.where = {block.file, static_cast<int>(block.line), 0, 0};
     diagnostic.source_line = block.text;

@@ -217,8 +217,7 @@ bool ZoneStage::stop(PathItem& item, const Found& found, const ZonePath& path, b
     part.sweep *= found.hit.t;
     pass(part);
   }
-  const SourceRef here = c_.calls.here();
-  if (here.file == item.source.file && here.line == item.source.line && here.depth == item.source.depth) {
+  if (sameBlock(c_.calls.here(), item.source)) {
     c_.alarms.fail(found.alarm, message);
   } else {
     c_.alarms.sendLate(Severity::kError, found.alarm, message, item.source, item.record);

@@ -16,8 +16,7 @@ constexpr auto kElsewhere = std::to_array<ElsewhereParam>({
      "[machine]"},
     {"N2102",
      "a slave that goes the other way (MSY = 1) stands in opposite = [\"SLAVE\"] of its [[machine.event]]; "
-     "axes "
-     "with two drives (PSN = 1) are gantry = [[\"MASTER\", \"SLAVE\"]] or tandem = ... under [machine]"},
+     "axes with two drives (PSN = 1) are gantry = [[\"MASTER\", \"SLAVE\"]] or tandem = ... under [machine]"},
     {"N2103", "the manual does not name it; what M codes do to axes stands under [[machine.event]]"},
     {"N2104",
      "write exchange = [\"MASTER\", \"SLAVE\"] with the M code that exchanges them under [[machine.event]]"},
