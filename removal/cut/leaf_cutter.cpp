@@ -249,8 +249,8 @@ void LeafCutter::startTops(const LeafChange& change) {
 void LeafCutter::apply(std::uint32_t number) {
   const Pass& pass = table_.passes[number];
   if (pass.isEnvelope()) return lookAround(number);
-  const bool asked = pass.watched || !pass.cuts() || !pass.body.coversUpTo(highest_);
-  const unsigned hits = asked ? 15 : pass.body.hits(columns_, open_);
+  const bool asked = pass.watched || !pass.cuts();
+  const unsigned hits = asked ? 15 : pass.body.hits(columns_, open_, highest_);
   if (hits == 0) return;
   double sunk = 0.0, low[4], high[4];
   pass.body.reach(quarters_, low, high);

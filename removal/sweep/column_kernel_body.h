@@ -498,6 +498,8 @@ proveout::ColumnKernels kernels(const char* name) {
           poseColumns,
           lowerTops,
           leafHits,
+          poseHits,
+          poseReach,
           cover,
           edgeCuts,
           name};

@@ -114,7 +114,8 @@ struct PoseSolid {
   struct Zone {
     double low, high;
     double alpha, beta, gamma;
-    bool widens;  ///< upwards; told of cones only
+    double widest;  ///< largest radius
+    bool widens;    ///< upwards; told of cones only
   };
   struct Rim {
     double z, radius2;
@@ -176,6 +177,10 @@ using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
 /// sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their tops,
 /// wherever the sweep covers them.
 using HitKernel = unsigned (*)(const LineSweep& sweep, const LeafColumns& leaf, unsigned quarters);
+/// Of `quarters` (bits) those in which the run, or what is nearer to it than `between`, mm, may cover
+/// something between a top and the lowest samples; the others have none, for sure.
+using PoseHitKernel = unsigned (*)(const PoseRun& run, double between, const LeafColumns& leaf,
+                                   unsigned quarters);
 /// For one quarter: finds `covered` from lo and hi.
 using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
 
@@ -192,6 +197,9 @@ inline constexpr double kCullSlackMm = 1e-6;
 /// low = +infinity, high = -infinity where it misses the block.
 template <typename Way>
 using ReachKernel = void (*)(const Way& sweep, const FourBlocks& blocks, double* low, double* high);
+/// As ReachKernel, of the run and what is nearer to it than `between`, mm.
+using PoseReachKernel = void (*)(const PoseRun& run, double between, const FourBlocks& blocks, double* low,
+                                 double* high);
 
 /// Grid edges that a sweep cuts: where they enter its volume. Arrays as of a ColumnKernel.
 struct EdgeCuts {
@@ -226,6 +234,8 @@ struct ColumnKernels {
   ColumnKernel<PoseRun> poses;
   LowerKernel lower;
   HitKernel hits;
+  PoseHitKernel pose_hits;
+  PoseReachKernel pose_reach;
   CoverKernel cover;
   CutKernel cuts;
   const char* name;

@@ -43,9 +43,10 @@ class SweptBody {
   void leafColumns(LeafColumns& leaf, unsigned quarters) const {
     std::visit([&](const auto& kind) { kind.leafColumns(leaf, quarters); }, kind_);
   }
-  /// As HitKernel; where it does not know, all.
-  unsigned hits(const LeafColumns& leaf, unsigned quarters) const {
-    return std::visit([&](const auto& kind) { return kind.hits(leaf, quarters); }, kind_);
+  /// Of `quarters` (bits) of a leaf, whose tops are not above `highest`, those from which the body may take
+  /// something; the others have nothing for it, for sure. Where it does not know, all.
+  unsigned hits(const LeafColumns& leaf, unsigned quarters, double highest) const {
+    return std::visit([&](const auto& kind) { return kind.hits(leaf, quarters, highest); }, kind_);
   }
   /// As ReachKernel.
   void reach(const FourBlocks& blocks, double* low, double* high) const {

@@ -26,7 +26,7 @@ struct BodyContext {
 struct BodyDefaults {
   Vec3 axis() const { return Vec3::Zero(); }
 
-  unsigned hits(const LeafColumns&, unsigned quarters) const { return quarters; }
+  unsigned hits(const LeafColumns&, unsigned quarters, double) const { return quarters; }
   bool cutsTogether() const { return false; }
   void cutEdges(const BodyContext&, EdgeCuts&) const {}
 

@@ -60,6 +60,11 @@ void LeanLine::reach(const FourBlocks& blocks, double* low, double* high) const 
   reachOfRun({solid, ends.data(), 2, true}, 0.0, bounds, blocks, low, high);
 }
 
+unsigned LeanLine::hits(const LeafColumns& leaf, unsigned quarters) const {
+  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
+  return columnKernels().pose_hits({solid, ends.data(), 2, true}, 0.0, leaf, quarters);
+}
+
 EdgeCut LeanLineBody::levelCut(const BodyContext&, const Vec3& a, double dx, double dy, double inside) const {
   LineMeeting meeting(line->through(a, Vec3(dx, dy, 0.0)), line->way);
   meeting.meet(*line->profile);

@@ -26,6 +26,8 @@ struct LeanLine {
   /// As ColumnKernel and ReachKernel; `solid` is known.
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
   void reach(const FourBlocks& blocks, double* low, double* high) const;
+  /// As PoseHitKernel.
+  unsigned hits(const LeafColumns& leaf, unsigned quarters) const;
 
   const ConvexProfile* profile;
   const PoseSolid* solid;  ///< null: columns are found one by one
@@ -49,6 +51,9 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
   void reach(const FourBlocks& blocks, double* low, double* high) const {
     if (line->solid == nullptr) return ScalarBody::reach(blocks, low, high);
     line->reach(blocks, low, high);
+  }
+  unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
+    return line->solid == nullptr ? quarters : line->hits(leaf, quarters);
   }
   ColumnSpan column(double x, double y) const { return line->column(x, y); }
   ColumnSpan around(double x, double y, double half_width) const { return line->around(x, y, half_width); }

@@ -128,4 +128,155 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
   if (run.straight) straightColumns(run, x, y, n, lo, hi);
 }
 
+/// A way between two places as seen along the tool's axis: p goes down as steeply as it can, q is level, h
+/// goes along the axis, all from the tip at the first place; s goes along the way as seen so, n across it.
+struct PoseTrack {
+  double level;           ///< how far the axis leans: what p falls by, a mm of height
+  double px, py, qx, qy;  ///< level parts of p and q; p falls by `level`, too
+  double low_p, high_p;   ///< of the tip
+  double low_q, high_q;
+  double low_h, high_h;
+  double up, uq, length;  ///< direction of s, and the way along it
+};
+
+inline PoseTrack poseTrack(const proveout::PoseAt& a, const proveout::PoseAt& b) {
+  constexpr double kUpright = 1e-18, kStill = 1e-9;  // of a square; mm
+  const double level2 = a.ax * a.ax + a.ay * a.ay;
+  const bool leans = level2 > kUpright;
+  const double level = root(level2), per = leans ? 1.0 / level : 0.0;
+  const double cx = leans ? a.ax * per : 1.0, cy = leans ? a.ay * per : 0.0;
+  PoseTrack track;
+  track.level = level;
+  track.px = cx * a.az, track.py = cy * a.az, track.qx = -cy, track.qy = cx;
+  const double wx = b.x - a.x, wy = b.y - a.y, wz = b.z - a.z;
+  const double way_p = wx * track.px + wy * track.py - wz * level, way_q = wx * track.qx + wy * track.qy;
+  const double way_h = wx * a.ax + wy * a.ay + wz * a.az;
+  track.low_p = least(0.0, way_p), track.high_p = most(0.0, way_p);
+  track.low_q = least(0.0, way_q), track.high_q = most(0.0, way_q);
+  track.low_h = least(0.0, way_h), track.high_h = most(0.0, way_h);
+  const double length = root(way_p * way_p + way_q * way_q);
+  const bool moves = length > kStill;
+  track.up = moves ? way_p / length : 1.0;
+  track.uq = moves ? way_q / length : 0.0;
+  track.length = moves ? length : kStill;
+  return track;
+}
+
+/// Of a leaf's columns: squares of distances that no point of a column, from its top to the lowest samples,
+/// is nearer than to the axis of a solid on its way, and the range of places along the axis.
+struct PoseNear {
+  double gap2[kQuarter], first[kQuarter], last[kQuarter];
+};
+
+inline void poseNear(const proveout::PoseAt& a, const PoseTrack& track, const double* __restrict x,
+                     const double* __restrict y, const double* __restrict top, double bottom,
+                     PoseNear& near) {
+#pragma GCC unroll 1
+  for (int i = 0; i < kQuarter; ++i) {
+    const double dx = x[i] - a.x, dy = y[i] - a.y, dz = top[i] - a.z, down = top[i] - bottom;
+    const double p = dx * track.px + dy * track.py - dz * track.level, q = dx * track.qx + dy * track.qy;
+    const double ahead = p + track.level * down;
+    // Apart in a rectangle around the way, and in one along it.
+    const double p_gap = most(most(track.low_p - ahead, p - track.high_p), 0.0);
+    const double q_gap = most(most(track.low_q - q, q - track.high_q), 0.0);
+    const double s1 = p * track.up + q * track.uq, s2 = ahead * track.up + q * track.uq;
+    const double n1 = q * track.up - p * track.uq, n2 = q * track.up - ahead * track.uq;
+    const double s_gap = most(most(-most(s1, s2), least(s1, s2) - track.length), 0.0);
+    const double n_gap = most(most(-most(n1, n2), least(n1, n2)), 0.0);
+    const double gap2 = most(p_gap * p_gap + q_gap * q_gap, s_gap * s_gap + n_gap * n_gap);
+    near.gap2[i] = down > 0.0 ? gap2 : kNoHeight;
+    const double h1 = dx * a.ax + dy * a.ay + dz * a.az, h2 = h1 - down * a.az;
+    near.first[i] = least(h1, h2) - track.high_h;
+    near.last[i] = most(h1, h2) - track.low_h;
+  }
+}
+
+/// Most passes that come near a leaf take nothing from it: they miss what is left. A solid is taken as round
+/// cylinders, one a zone.
+unsigned poseHits(const PoseRun& run, double between, const proveout::LeafColumns& leaf, unsigned quarters) {
+  const PoseSolid& solid = *run.solid;
+  const double slack = between + proveout::kCullSlackMm;
+  unsigned hits = 0;
+  for (int end = 0; end < (run.straight ? 1 : 2); ++end) {
+    const proveout::PoseAt &first = run.poses[end == 0 ? 0 : run.count - 1],
+                           &last = run.straight ? run.poses[run.count - 1] : first;
+    const PoseTrack track = poseTrack(first, last);
+    for (int q = 0; q < 4; ++q) {
+      if (((quarters & ~hits) >> q & 1) == 0) continue;
+      const int from = q * kQuarter;
+      PoseNear near;
+      poseNear(first, track, leaf.x + from, leaf.y + from, leaf.top + from, leaf.z[0], near);
+      for (int k = 0; k < solid.zones; ++k) {
+        const double low = solid.zone[k].low - slack, high = solid.zone[k].high + slack;
+        const double within = solid.zone[k].widest + slack;
+        double hit[kQuarter];
+#pragma GCC unroll 1
+        for (int i = 0; i < kQuarter; ++i) {
+          const double beside = near.gap2[i] < within * within ? 1.0 : 0.0;
+          const double above = near.last[i] > low ? beside : 0.0;
+          hit[i] = near.first[i] < high ? above : 0.0;
+        }
+        for (int i = 0; i < 8; ++i) hit[i] = most(hit[i], hit[i + 8]);
+        for (int i = 0; i < 4; ++i) hit[i] = most(hit[i], hit[i + 4]);
+        hits |= most(most(hit[0], hit[1]), most(hit[2], hit[3])) > 0.0 ? 1u << q : 0u;
+      }
+    }
+  }
+  return hits;
+}
+
+inline double magnitude(double a) { return a < 0.0 ? -a : a; }
+
+/// One over it, or over the least that is told from 0: the slack of bounds is more than what that does on any
+/// height that counts.
+inline double inverseOf(double a) {
+  constexpr double kLeast = 1e-9;
+  return 1.0 / (magnitude(a) > kLeast ? a : kLeast);
+}
+
+/// Where the column of each block may lie in the cylinders around the zones: between the ends of the zone, in
+/// the strips along p and across the way, each wider by what the square reaches beyond its middle.
+inline void poseReachAt(const PoseSolid& solid, const proveout::PoseAt& a, const PoseTrack& track,
+                        double slack, const proveout::FourBlocks& blocks, double* __restrict low,
+                        double* __restrict high) {
+  const double half = blocks.half_width;
+  const double h_half = half * (magnitude(a.ax) + magnitude(a.ay)) + slack;
+  const double p_half = half * (magnitude(track.px) + magnitude(track.py)) + slack;
+  const double q_half = half * (magnitude(track.qx) + magnitude(track.qy)) + slack;
+  const double nx = track.qx * track.up - track.px * track.uq, ny = track.qy * track.up - track.py * track.uq;
+  const double n_half = half * (magnitude(nx) + magnitude(ny)) + slack;
+  const double by_h = inverseOf(a.az), by_p = inverseOf(track.level),
+               by_n = inverseOf(track.level * track.uq);
+  for (int k = 0; k < solid.zones; ++k) {
+    const PoseSolid::Zone& zone = solid.zone[k];
+    const double first = zone.low + track.low_h - h_half, last = zone.high + track.high_h + h_half;
+    const double radius = zone.widest, across = radius + n_half;
+    for (int i = 0; i < 4; ++i) {
+      const double dx = blocks.x[i] - a.x, dy = blocks.y[i] - a.y;
+      const double h = dx * a.ax + dy * a.ay, p = dx * track.px + dy * track.py;
+      const double q = dx * track.qx + dy * track.qy, n = dx * nx + dy * ny;
+      const double q_gap = most(most(track.low_q - q, q - track.high_q) - q_half, 0.0);
+      const double chord = root(most(radius * radius - q_gap * q_gap, 0.0)) + p_half;
+      const double h1 = (first - h) * by_h, h2 = (last - h) * by_h;
+      const double n1 = (-across - n) * by_n, n2 = (across - n) * by_n;
+      const double from = most(most(least(h1, h2), least(n1, n2)), (p - track.high_p - chord) * by_p);
+      const double to = least(least(most(h1, h2), most(n1, n2)), (p - track.low_p + chord) * by_p);
+      const bool met = q_gap <= radius && from <= to;
+      low[i] = met ? least(low[i], a.z + from) : low[i];
+      high[i] = met ? most(high[i], a.z + to) : high[i];
+    }
+  }
+}
+
+void poseReach(const PoseRun& run, double between, const proveout::FourBlocks& blocks, double* low,
+               double* high) {
+  const double slack = between + proveout::kCullSlackMm;
+  for (int i = 0; i < 4; ++i) low[i] = kNoHeight, high[i] = -kNoHeight;
+  for (int end = 0; end < (run.straight ? 1 : 2); ++end) {
+    const proveout::PoseAt &first = run.poses[end == 0 ? 0 : run.count - 1],
+                           &last = run.straight ? run.poses[run.count - 1] : first;
+    poseReachAt(*run.solid, first, poseTrack(first, last), slack, blocks, low, high);
+  }
+}
+
 }  // namespace

@@ -1,7 +1,6 @@
 #include "removal/sweep/kinds/pose_run_body.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "removal/sweep/leaning_sweep.h"
@@ -57,11 +56,14 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
   gap_ = stretch.mostShift(reach) * 2.0 / count;
 }
 
-/// No point of the tool between two poses is farther from one of them than half of its way.
 void PosePiece::reach(const FourBlocks& blocks, double* low, double* high) const {
-  const std::array<PoseAt, 2> ends{poses_.front(), poses_.back()};
-  const double between = 0.5 * gap_ * static_cast<double>(poses_.size() - 1);
-  reachOfRun({solid_, ends.data(), 2}, between, bounds_, blocks, low, high);
+  const std::array<PoseAt, 2> at = ends();
+  reachOfRun({solid_, at.data(), 2}, between(), bounds_, blocks, low, high);
+}
+
+unsigned PosePiece::hits(const LeafColumns& leaf, unsigned quarters) const {
+  const std::array<PoseAt, 2> at = ends();
+  return columnKernels().pose_hits({solid_, at.data(), 2}, between(), leaf, quarters);
 }
 
 }  // namespace proveout

@@ -1,6 +1,7 @@
 // Bodies of tools whose axis turns, as poses that stand close together.
 #pragma once
 
+#include <array>
 #include <deque>
 #include <vector>
 
@@ -32,12 +33,17 @@ class PosePiece {
 
   PoseRun run() const { return {solid_, poses_.data(), static_cast<int>(poses_.size())}; }
   void reach(const FourBlocks& blocks, double* low, double* high) const;
+  /// As PoseHitKernel.
+  unsigned hits(const LeafColumns& leaf, unsigned quarters) const;
   const Box3& bounds() const { return bounds_; }
   double middleShare() const { return share_; }
 
  private:
   /// Of one piece.
   static constexpr int kMostSteps = 16, kMostOnStretch = 4096;
+  /// No point of the tool is ever farther from where it is at one of the ends, mm.
+  double between() const { return 0.5 * gap_ * static_cast<double>(poses_.size() - 1); }
+  std::array<PoseAt, 2> ends() const { return {poses_.front(), poses_.back()}; }
   static int posesOn(const PosedSweep& sweep, const PosedStretch& stretch);
 
   const PoseSolid* solid_;
@@ -57,6 +63,9 @@ struct PoseRunBody : BodyDefaults {
   }
   void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(*this, leaf, quarters); }
   void reach(const FourBlocks& blocks, double* low, double* high) const { piece->reach(blocks, low, high); }
+  unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
+    return piece->hits(leaf, quarters);
+  }
   double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
   double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }
   /// Convex but for what is between two poses.

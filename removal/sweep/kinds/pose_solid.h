@@ -20,9 +20,6 @@ inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
 /// Least radius at which faces of the profile bend around its axis, mm; 0: it has a point.
 double leastRadius(const ConvexProfile& profile);
 
-/// The solid and all that is nearer to it than `by`, mm, and more, in cylinders and spheres.
-PoseSolid grownSolid(const PoseSolid& solid, double by);
-
 /// As ReachKernel, of all that is nearer to a run than `between`, mm, and lies in `bounds`.
 void reachOfRun(const PoseRun& run, double between, const Box3& bounds, const FourBlocks& blocks, double* low,
                 double* high);
