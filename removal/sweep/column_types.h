@@ -173,9 +173,9 @@ using LeafKernel = void (*)(const Way& sweep, LeafColumns& leaf, unsigned quarte
 /// For one quarter: lowers the tops to lo where the pass covers them; returns the sum of what the tops sink
 /// by and of the covered material below tops that stay, in mm of column height.
 using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
-/// Of `quarters` (bits) those in which the sweep may lower a top: of ball ends the others have none, for
-/// sure; of all else all. Finds no lo and hi. Requires that the columns are covered up to their tops,
-/// wherever the sweep covers them.
+/// Of `quarters` (bits) those in which the sweep may cover something between a top and the lowest samples: of
+/// ball ends and whole balls the others have none, for sure; of all else all. Finds no lo and hi. Requires of
+/// ball ends that the columns are covered up to their tops, wherever the sweep covers them.
 using HitKernel = unsigned (*)(const LineSweep& sweep, const LeafColumns& leaf, unsigned quarters);
 /// Of `quarters` (bits) those in which the run, or what is nearer to it than `between`, mm, may cover
 /// something between a top and the lowest samples; the others have none, for sure.

@@ -10,7 +10,7 @@ struct LineBody : KernelBody<LineSweep> {
   using KernelBody::KernelBody;
 
   unsigned hits(const LeafColumns& leaf, unsigned quarters, double highest) const {
-    return coversUpTo(highest) ? columnKernels().hits(way, leaf, quarters) : quarters;
+    return solid().sphere || coversUpTo(highest) ? columnKernels().hits(way, leaf, quarters) : quarters;
   }
   double highestReach() const { return reachAbove(way.z + std::max(way.rise, 0.0)); }
   double coveredTop() const { return topAbove(way.z + std::min(way.rise, 0.0)); }
