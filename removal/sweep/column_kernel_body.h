@@ -156,8 +156,10 @@ inline void levelFlatColumns(const LineSweep& sweep, const double* __restrict x,
   }
 }
 
-/// Cylinders and ball ends with a level top.
-template <bool kBall>
+enum class PlainEnd { kFlat, kBall, kSphere };
+
+/// Cylinders, ball ends with a level top, and whole balls.
+template <PlainEnd kEnd>
 inline void plainColumns(const LineSweep& sweep, const double* __restrict x, const double* __restrict y,
                          int n, double* __restrict lo, double* __restrict hi) {
   const double fx = sweep.x, fy = sweep.y, fz = sweep.z, ux = sweep.ux, uy = sweep.uy;
@@ -173,9 +175,12 @@ inline void plainColumns(const LineSweep& sweep, const double* __restrict x, con
     const double w2 = radius2 - across * across, w = root(w2);
     const double a0 = most(-along, -w), a1 = least(length - along, w);
     const double s = least(most(lean * w, a0), a1);
-    const double low = kBall ? lift + slope * (s + along) - root(w2 - s * s)
-                             : fz + slope * ((rises ? a0 : a1) + along) + z_min;
-    const double high = fz + slope * ((rises ? a1 : a0) + along) + z_max;
+    const double low = kEnd == PlainEnd::kFlat ? fz + slope * ((rises ? a0 : a1) + along) + z_min
+                                               : lift + slope * (s + along) - root(w2 - s * s);
+    const double over_s = least(most(-lean * w, a0), a1);
+    const double high = kEnd == PlainEnd::kSphere
+                            ? lift + slope * (over_s + along) + root(w2 - over_s * over_s)
+                            : fz + slope * ((rises ? a1 : a0) + along) + z_max;
     const bool over = w2 > 0.0 && a0 <= a1;
     lo[i] = over ? low : kNoHeight;
     hi[i] = over ? high : -kNoHeight;
@@ -185,8 +190,10 @@ inline void plainColumns(const LineSweep& sweep, const double* __restrict x, con
 inline void lineColumns(const LineSweep& sweep, const double* __restrict x, const double* __restrict y, int n,
                         double* __restrict lo, double* __restrict hi) {
   if (sweep.solid->flat && sweep.slope == 0.0) return levelFlatColumns(sweep, x, y, n, lo, hi);
-  if (sweep.solid->flat) return plainColumns<false>(sweep, x, y, n, lo, hi);
-  if (sweep.solid->ball && !sweep.solid->round_top) return plainColumns<true>(sweep, x, y, n, lo, hi);
+  if (sweep.solid->flat) return plainColumns<PlainEnd::kFlat>(sweep, x, y, n, lo, hi);
+  if (sweep.solid->ball && !sweep.solid->round_top)
+    return plainColumns<PlainEnd::kBall>(sweep, x, y, n, lo, hi);
+  if (sweep.solid->sphere) return plainColumns<PlainEnd::kSphere>(sweep, x, y, n, lo, hi);
   const double fx = sweep.x, fy = sweep.y, fz = sweep.z;
   const double ux = sweep.ux, uy = sweep.uy, length = sweep.length, slope = sweep.slope;
   const proveout::ColumnSolid& tool = *sweep.solid;
@@ -390,7 +397,8 @@ unsigned leafHits(const LineSweep& sweep, const proveout::LeafColumns& leaf, uns
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
   const double length = sweep.length, slope = sweep.slope, lift = sweep.z + tool.radius;
-  if (sweep.length == 0.0 || (!tool.ball && !tool.sphere) || slope * slope > kHitSlope * kHitSlope) return quarters;
+  if (sweep.length == 0.0 || (!tool.ball && !tool.sphere) || slope * slope > kHitSlope * kHitSlope)
+    return quarters;
   const double bottom = leaf.z[0];
   const double toward = -slope / (1.0 + slope * slope), within = tool.radius * tool.radius + kHitSlack;
   unsigned hits = 0;

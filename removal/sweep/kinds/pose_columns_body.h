@@ -13,6 +13,27 @@ using proveout::PoseSolid;
 /// A quadratic that is no more than this is linear.
 constexpr double kLeastSquare = 1e-24;
 
+/// Cylinders by an axis that leans more than this have a shorter way to their roots: of the square.
+constexpr double kLeastLean = 1e-8;
+
+inline bool isCylinder(const PoseSolid::Zone& zone) { return zone.beta == 0.0 && zone.gamma == 0.0; }
+
+/// As poseZone, of a cylinder. `level2`: square of the axis' level part.
+inline void poseCylinder(const PoseSolid::Zone& zone, double az, double level2, double z,
+                         const double* __restrict u, const double* __restrict w2, int n,
+                         double* __restrict lo, double* __restrict hi) {
+  const double by_az = 1.0 / az, by_level = 1.0 / level2, radius2 = zone.alpha;
+  for (int i = 0; i < n; ++i) {
+    const double root2 = u[i] * u[i] + level2 * (radius2 - w2[i]), r = root(root2);
+    const double first = (u[i] * az - r) * by_level, second = (u[i] * az + r) * by_level;
+    const double end1 = (zone.low - u[i]) * by_az, end2 = (zone.high - u[i]) * by_az;
+    const double from = most(least(end1, end2), first), to = least(most(end1, end2), second);
+    const bool met = root2 >= 0.0 && from <= to;
+    lo[i] = met ? least(lo[i], z + from) : lo[i];
+    hi[i] = met ? most(hi[i], z + to) : hi[i];
+  }
+}
+
 /// What a zone of the solid covers of the columns at one pose. `u`: along the axis from the tip to where a
 /// column is at the tip's height; w2: square of the level distance.
 inline void poseZone(const PoseSolid::Zone& zone, double az, double z, const double* __restrict u,
@@ -40,6 +61,33 @@ inline void poseZone(const PoseSolid::Zone& zone, double az, double z, const dou
   }
 }
 
+/// The flat sides that a cylinder leaves on a straight way that is not along its axis.
+inline void cylinderSides(const PoseSolid::Zone& zone, const proveout::PoseAt& a, const proveout::PoseAt& b,
+                          const double* __restrict x, const double* __restrict y, int n,
+                          double* __restrict lo, double* __restrict hi) {
+  constexpr double kParallel = 1e-9, kBeyond = 1e-9;  // of a unit vector; mm
+  const double dx = b.x - a.x, dy = b.y - a.y, dz = b.z - a.z;
+  const double along = dx * a.ax + dy * a.ay + dz * a.az;
+  // Across the axis: the way's part, and what is at right angles to it.
+  const double wx = dx - along * a.ax, wy = dy - along * a.ay, wz = dz - along * a.az;
+  const double square = wx * wx + wy * wy + wz * wz, by_length = 1.0 / root(square), per = 1.0 / square;
+  const double nx = (a.ay * wz - a.az * wy) * by_length, ny = (a.az * wx - a.ax * wz) * by_length,
+               nz = (a.ax * wy - a.ay * wx) * by_length;
+  if (nz * nz < kParallel * kParallel) return;  // columns lie along the sides
+  const double by_nz = 1.0 / nz, radius = zone.widest, low = zone.low - kBeyond, high = zone.high + kBeyond;
+  for (int i = 0; i < n; ++i) {
+    const double qx = x[i] - a.x, qy = y[i] - a.y, beside = qx * nx + qy * ny;
+    const double s1 = (-radius - beside) * by_nz, s2 = (radius - beside) * by_nz;
+    const double foot = (qx * wx + qy * wy) * per, u = qx * a.ax + qy * a.ay;
+    const double t1 = foot + s1 * wz * per, t2 = foot + s2 * wz * per;
+    const double h1 = u + s1 * a.az - t1 * along, h2 = u + s2 * a.az - t2 * along;
+    const bool one = t1 >= 0.0 && t1 <= 1.0 && h1 >= low && h1 <= high;
+    const bool two = t2 >= 0.0 && t2 <= 1.0 && h2 >= low && h2 <= high;
+    lo[i] = least(least(lo[i], one ? a.z + s1 : kNoHeight), two ? a.z + s2 : kNoHeight);
+    hi[i] = most(most(hi[i], one ? a.z + s1 : -kNoHeight), two ? a.z + s2 : -kNoHeight);
+  }
+}
+
 /// What a tool of one direction leaves between two places: the ways of its rims, and faces where they touch
 /// the way's own direction. Both are quadratics in the place along the way, 0 to 1, and the height.
 inline void straightColumns(const PoseRun& run, const double* __restrict x, const double* __restrict y, int n,
@@ -54,14 +102,14 @@ inline void straightColumns(const PoseRun& run, const double* __restrict x, cons
     const double h = solid.rim[k].z, within = h * h + solid.rim[k].radius2, rise = along * inverse;
     const double square = rise * rise - 2.0 * rise * dz + length2;
     if (!(square > kStill)) continue;
+    const double per = 1.0 / square;
     for (int i = 0; i < n; ++i) {
       const double qx = x[i] - a.x, qy = y[i] - a.y;
       const double s0 = (h - qx * a.ax - qy * a.ay) * inverse;
       const double c = qx * qx + qy * qy + s0 * s0 - within;
       const double half = s0 * (rise - dz) - qx * dx - qy * dy;
       const double root2 = half * half - square * c, r = root(root2);
-      const double q = half < 0.0 ? r - half : -(r + half);
-      const double t1 = q / square, t2 = q != 0.0 ? c / q : 0.0;
+      const double t1 = (-half - r) * per, t2 = (-half + r) * per;
       const bool one = root2 >= 0.0 && t1 >= 0.0 && t1 <= 1.0, two = root2 >= 0.0 && t2 >= 0.0 && t2 <= 1.0;
       const double z1 = a.z + s0 + rise * t1, z2 = a.z + s0 + rise * t2;
       lo[i] = least(least(lo[i], one ? z1 : kNoHeight), two ? z2 : kNoHeight);
@@ -72,6 +120,10 @@ inline void straightColumns(const PoseRun& run, const double* __restrict x, cons
     const PoseSolid::Zone& zone = solid.zone[k];
     const double g = 1.0 + zone.gamma, beta = zone.beta, square = length2 - g * along * along;
     if (!(square > kStill)) continue;
+    if (isCylinder(zone)) {
+      cylinderSides(zone, a, b, x, y, n, lo, hi);
+      continue;
+    }
     const double per = 1.0 / square, turn = g * along * az - dz, aa = 1.0 - g * az * az - turn * turn * per;
     for (int i = 0; i < n; ++i) {
       const double qx = x[i] - a.x, qy = y[i] - a.y, u = qx * a.ax + qy * a.ay;
@@ -106,7 +158,14 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
       u[i] = qx * pose.ax + qy * pose.ay;
       w2[i] = qx * qx + qy * qy;
     }
-    for (int k = 0; k < solid.zones; ++k) poseZone(solid.zone[k], pose.az, pose.z, u, w2, n, lo, hi);
+    const double level2 = pose.ax * pose.ax + pose.ay * pose.ay;
+    for (int k = 0; k < solid.zones; ++k) {
+      if (isCylinder(solid.zone[k]) && level2 > kLeastLean) {
+        poseCylinder(solid.zone[k], pose.az, level2, pose.z, u, w2, n, lo, hi);
+      } else {
+        poseZone(solid.zone[k], pose.az, pose.z, u, w2, n, lo, hi);
+      }
+    }
     if (run.straight) continue;
     for (int k = 0; k < solid.rims; ++k) {
       const double h = solid.rim[k].z, within = h * h + solid.rim[k].radius2;
