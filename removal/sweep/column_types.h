@@ -139,6 +139,30 @@ struct PoseRun {
   bool straight = false;  ///< two poses of one direction, and the line between them: nothing is left out
 };
 
+/// A solid of one direction between two places, as seen along its axis: p falls as steeply as it can, q is
+/// level, h goes along the axis, s along the way as seen so, n across it; all from the tip at the first
+/// place.
+struct PoseTrack {
+  PoseAt at;              ///< first place
+  double level;           ///< what p falls by, a mm of height: how far the axis leans
+  double px, py, qx, qy;  ///< level parts of p and q
+  double nx, ny;          ///< and of n
+  double low_p, high_p, low_q, high_q, low_h, high_h;  ///< of the tip
+  double up, uq, length;                               ///< direction of s in p and q, and the way along it
+  double by_h, by_p, by_n;                             ///< height a mm of h, of p (falling), of n; finite
+};
+
+/// What bounds of a run look at: no point of the solid is ever farther from it on one of the tracks than
+/// `between`, mm.
+struct PoseSpan {
+  const PoseSolid* solid;
+  const PoseTrack* tracks;
+  int count;
+  double between;
+  const double* min;  ///< bounds: x, y, z
+  const double* max;
+};
+
 /// Columns that one call takes; arrays must have this size rounded up to a multiple of 8.
 inline constexpr int kMaxColumns = 128;
 
@@ -177,10 +201,9 @@ using LowerKernel = double (*)(LeafColumns& leaf, int quarter);
 /// ball ends and whole balls the others have none, for sure; of all else all. Finds no lo and hi. Requires of
 /// ball ends that the columns are covered up to their tops, wherever the sweep covers them.
 using HitKernel = unsigned (*)(const LineSweep& sweep, const LeafColumns& leaf, unsigned quarters);
-/// Of `quarters` (bits) those in which the run, or what is nearer to it than `between`, mm, may cover
-/// something between a top and the lowest samples; the others have none, for sure.
-using PoseHitKernel = unsigned (*)(const PoseRun& run, double between, const LeafColumns& leaf,
-                                   unsigned quarters);
+/// Of `quarters` (bits) those in which the solid may cover something between a top and the lowest samples;
+/// the others have none, for sure.
+using PoseHitKernel = unsigned (*)(const PoseSpan& span, const LeafColumns& leaf, unsigned quarters);
 /// For one quarter: finds `covered` from lo and hi.
 using CoverKernel = void (*)(LeafColumns& leaf, int quarter);
 
@@ -197,9 +220,6 @@ inline constexpr double kCullSlackMm = 1e-6;
 /// low = +infinity, high = -infinity where it misses the block.
 template <typename Way>
 using ReachKernel = void (*)(const Way& sweep, const FourBlocks& blocks, double* low, double* high);
-/// As ReachKernel, of the run and what is nearer to it than `between`, mm.
-using PoseReachKernel = void (*)(const PoseRun& run, double between, const FourBlocks& blocks, double* low,
-                                 double* high);
 
 /// Grid edges that a sweep cuts: where they enter its volume. Arrays as of a ColumnKernel.
 struct EdgeCuts {
@@ -235,7 +255,7 @@ struct ColumnKernels {
   LowerKernel lower;
   HitKernel hits;
   PoseHitKernel pose_hits;
-  PoseReachKernel pose_reach;
+  ReachKernel<PoseSpan> pose_reach;
   CoverKernel cover;
   CutKernel cuts;
   const char* name;

@@ -19,8 +19,9 @@ ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + 
 
 LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end,
                    const PoseSolid& known)
-    : profile(&of),
+    : track(poseTrack(poseAt(start, in.axis()), end - start)),
       solid(known.zones > 0 && std::abs(in.axis().z()) >= kLeastAxisRise ? &known : nullptr),
+      profile(&of),
       frame(in),
       from(start),
       to(end),
@@ -53,16 +54,6 @@ ColumnSpan LeanLine::around(double x, double y, double half_width) const {
 void LeanLine::columns(const double* x, const double* y, int count, double* lo, double* hi) const {
   const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
   columnKernels().poses({solid, ends.data(), 2, true}, x, y, count, lo, hi);
-}
-
-void LeanLine::reach(const FourBlocks& blocks, double* low, double* high) const {
-  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
-  reachOfRun({solid, ends.data(), 2, true}, 0.0, bounds, blocks, low, high);
-}
-
-unsigned LeanLine::hits(const LeafColumns& leaf, unsigned quarters) const {
-  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
-  return columnKernels().pose_hits({solid, ends.data(), 2, true}, 0.0, leaf, quarters);
 }
 
 EdgeCut LeanLineBody::levelCut(const BodyContext&, const Vec3& a, double dx, double dy, double inside) const {

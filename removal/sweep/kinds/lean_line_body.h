@@ -23,18 +23,18 @@ struct LeanLine {
   // As ScalarBody asks.
   ColumnSpan column(double x, double y) const;
   ColumnSpan around(double x, double y, double half_width) const;
-  /// As ColumnKernel and ReachKernel; `solid` is known.
+  /// As ColumnKernel; `solid` is known.
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
-  void reach(const FourBlocks& blocks, double* low, double* high) const;
-  /// As PoseHitKernel.
-  unsigned hits(const LeafColumns& leaf, unsigned quarters) const;
 
-  const ConvexProfile* profile;
+  PoseSpan span() const { return {solid, &track, 1, 0.0, bounds.min.data(), bounds.max.data()}; }
+
+  Box3 bounds;  ///< of the volume, workpiece frame
+  PoseTrack track;
   const PoseSolid* solid;  ///< null: columns are found one by one
+  const ConvexProfile* profile;
   ToolFrame frame;
   Vec3 from, to;  ///< of the tip, workpiece frame
   Vec3 way;       ///< from the start to the end, tool frame
-  Box3 bounds;    ///< of the volume, workpiece frame
 };
 
 /// The swept volume is convex and meets every line in one interval, whose ends LineMeeting tells.
@@ -50,10 +50,10 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
   }
   void reach(const FourBlocks& blocks, double* low, double* high) const {
     if (line->solid == nullptr) return ScalarBody::reach(blocks, low, high);
-    line->reach(blocks, low, high);
+    columnKernels().pose_reach(line->span(), blocks, low, high);
   }
   unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
-    return line->solid == nullptr ? quarters : line->hits(leaf, quarters);
+    return line->solid == nullptr ? quarters : columnKernels().pose_hits(line->span(), leaf, quarters);
   }
   ColumnSpan column(double x, double y) const { return line->column(x, y); }
   ColumnSpan around(double x, double y, double half_width) const { return line->around(x, y, half_width); }

@@ -9,6 +9,8 @@ namespace {
 
 using proveout::PoseRun;
 using proveout::PoseSolid;
+using proveout::PoseSpan;
+using proveout::PoseTrack;
 
 /// A quadratic that is no more than this is linear.
 constexpr double kLeastSquare = 1e-24;
@@ -187,49 +189,15 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
   if (run.straight) straightColumns(run, x, y, n, lo, hi);
 }
 
-/// A way between two places as seen along the tool's axis: p goes down as steeply as it can, q is level, h
-/// goes along the axis, all from the tip at the first place; s goes along the way as seen so, n across it.
-struct PoseTrack {
-  double level;           ///< how far the axis leans: what p falls by, a mm of height
-  double px, py, qx, qy;  ///< level parts of p and q; p falls by `level`, too
-  double low_p, high_p;   ///< of the tip
-  double low_q, high_q;
-  double low_h, high_h;
-  double up, uq, length;  ///< direction of s, and the way along it
-};
-
-inline PoseTrack poseTrack(const proveout::PoseAt& a, const proveout::PoseAt& b) {
-  constexpr double kUpright = 1e-18, kStill = 1e-9;  // of a square; mm
-  const double level2 = a.ax * a.ax + a.ay * a.ay;
-  const bool leans = level2 > kUpright;
-  const double level = root(level2), per = leans ? 1.0 / level : 0.0;
-  const double cx = leans ? a.ax * per : 1.0, cy = leans ? a.ay * per : 0.0;
-  PoseTrack track;
-  track.level = level;
-  track.px = cx * a.az, track.py = cy * a.az, track.qx = -cy, track.qy = cx;
-  const double wx = b.x - a.x, wy = b.y - a.y, wz = b.z - a.z;
-  const double way_p = wx * track.px + wy * track.py - wz * level, way_q = wx * track.qx + wy * track.qy;
-  const double way_h = wx * a.ax + wy * a.ay + wz * a.az;
-  track.low_p = least(0.0, way_p), track.high_p = most(0.0, way_p);
-  track.low_q = least(0.0, way_q), track.high_q = most(0.0, way_q);
-  track.low_h = least(0.0, way_h), track.high_h = most(0.0, way_h);
-  const double length = root(way_p * way_p + way_q * way_q);
-  const bool moves = length > kStill;
-  track.up = moves ? way_p / length : 1.0;
-  track.uq = moves ? way_q / length : 0.0;
-  track.length = moves ? length : kStill;
-  return track;
-}
-
 /// Of a leaf's columns: squares of distances that no point of a column, from its top to the lowest samples,
 /// is nearer than to the axis of a solid on its way, and the range of places along the axis.
 struct PoseNear {
   double gap2[kQuarter], first[kQuarter], last[kQuarter];
 };
 
-inline void poseNear(const proveout::PoseAt& a, const PoseTrack& track, const double* __restrict x,
-                     const double* __restrict y, const double* __restrict top, double bottom,
-                     PoseNear& near) {
+inline void poseNear(const PoseTrack& track, const double* __restrict x, const double* __restrict y,
+                     const double* __restrict top, double bottom, PoseNear& near) {
+  const proveout::PoseAt& a = track.at;
 #pragma GCC unroll 1
   for (int i = 0; i < kQuarter; ++i) {
     const double dx = x[i] - a.x, dy = y[i] - a.y, dz = top[i] - a.z, down = top[i] - bottom;
@@ -252,22 +220,18 @@ inline void poseNear(const proveout::PoseAt& a, const PoseTrack& track, const do
 
 /// Most passes that come near a leaf take nothing from it: they miss what is left. A solid is taken as round
 /// cylinders, one a zone.
-unsigned poseHits(const PoseRun& run, double between, const proveout::LeafColumns& leaf, unsigned quarters) {
-  const PoseSolid& solid = *run.solid;
-  const double slack = between + proveout::kCullSlackMm;
+unsigned poseHits(const PoseSpan& span, const proveout::LeafColumns& leaf, unsigned quarters) {
+  const double slack = span.between + proveout::kCullSlackMm;
   unsigned hits = 0;
-  for (int end = 0; end < (run.straight ? 1 : 2); ++end) {
-    const proveout::PoseAt &first = run.poses[end == 0 ? 0 : run.count - 1],
-                           &last = run.straight ? run.poses[run.count - 1] : first;
-    const PoseTrack track = poseTrack(first, last);
+  for (int end = 0; end < span.count; ++end) {
     for (int q = 0; q < 4; ++q) {
       if (((quarters & ~hits) >> q & 1) == 0) continue;
       const int from = q * kQuarter;
       PoseNear near;
-      poseNear(first, track, leaf.x + from, leaf.y + from, leaf.top + from, leaf.z[0], near);
-      for (int k = 0; k < solid.zones; ++k) {
-        const double low = solid.zone[k].low - slack, high = solid.zone[k].high + slack;
-        const double within = solid.zone[k].widest + slack;
+      poseNear(span.tracks[end], leaf.x + from, leaf.y + from, leaf.top + from, leaf.z[0], near);
+      for (int k = 0; k < span.solid->zones; ++k) {
+        const PoseSolid::Zone& zone = span.solid->zone[k];
+        const double low = zone.low - slack, high = zone.high + slack, within = zone.widest + slack;
         double hit[kQuarter];
 #pragma GCC unroll 1
         for (int i = 0; i < kQuarter; ++i) {
@@ -286,55 +250,66 @@ unsigned poseHits(const PoseRun& run, double between, const proveout::LeafColumn
 
 inline double magnitude(double a) { return a < 0.0 ? -a : a; }
 
-/// One over it, or over the least that is told from 0: the slack of bounds is more than what that does on any
-/// height that counts.
-inline double inverseOf(double a) {
-  constexpr double kLeast = 1e-9;
-  return 1.0 / (magnitude(a) > kLeast ? a : kLeast);
-}
-
 /// Where the column of each block may lie in the cylinders around the zones: between the ends of the zone, in
 /// the strips along p and across the way, each wider by what the square reaches beyond its middle.
-inline void poseReachAt(const PoseSolid& solid, const proveout::PoseAt& a, const PoseTrack& track,
-                        double slack, const proveout::FourBlocks& blocks, double* __restrict low,
-                        double* __restrict high) {
-  const double half = blocks.half_width;
-  const double h_half = half * (magnitude(a.ax) + magnitude(a.ay)) + slack;
-  const double p_half = half * (magnitude(track.px) + magnitude(track.py)) + slack;
-  const double q_half = half * (magnitude(track.qx) + magnitude(track.qy)) + slack;
-  const double nx = track.qx * track.up - track.px * track.uq, ny = track.qy * track.up - track.py * track.uq;
+inline void poseReachAt(const PoseSolid& solid, const PoseTrack& track, double slack,
+                        const proveout::FourBlocks& blocks, double* __restrict low, double* __restrict high) {
+  const double ax = track.at.ax, ay = track.at.ay, tip = track.at.z, half = blocks.half_width;
+  const double px = track.px, py = track.py, qx = track.qx, qy = track.qy, nx = track.nx, ny = track.ny;
+  const double by_h = track.by_h, by_p = track.by_p, by_n = track.by_n;
+  const double low_q = track.low_q, high_q = track.high_q;
+  const double p_half = half * (magnitude(px) + magnitude(py)) + slack;
+  const double q_half = half * (magnitude(qx) + magnitude(qy)) + slack;
   const double n_half = half * (magnitude(nx) + magnitude(ny)) + slack;
-  const double by_h = inverseOf(a.az), by_p = inverseOf(track.level),
-               by_n = inverseOf(track.level * track.uq);
+  const double first_h = track.low_h - half * (magnitude(ax) + magnitude(ay)) - slack;
+  const double last_h = track.high_h + half * (magnitude(ax) + magnitude(ay)) + slack;
+  const double first_p = track.low_p - p_half, last_p = track.high_p + p_half;
+  double h[4], p[4], n[4], q_gap[4];
+  for (int i = 0; i < 4; ++i) {
+    const double dx = blocks.x[i] - track.at.x, dy = blocks.y[i] - track.at.y;
+    const double q = dx * qx + dy * qy;
+    h[i] = dx * ax + dy * ay, p[i] = dx * px + dy * py, n[i] = dx * nx + dy * ny;
+    q_gap[i] = most(most(low_q - q, q - high_q) - q_half, 0.0);
+  }
   for (int k = 0; k < solid.zones; ++k) {
-    const PoseSolid::Zone& zone = solid.zone[k];
-    const double first = zone.low + track.low_h - h_half, last = zone.high + track.high_h + h_half;
-    const double radius = zone.widest, across = radius + n_half;
+    const double first = solid.zone[k].low + first_h, last = solid.zone[k].high + last_h;
+    const double radius = solid.zone[k].widest, across = radius + n_half;
     for (int i = 0; i < 4; ++i) {
-      const double dx = blocks.x[i] - a.x, dy = blocks.y[i] - a.y;
-      const double h = dx * a.ax + dy * a.ay, p = dx * track.px + dy * track.py;
-      const double q = dx * track.qx + dy * track.qy, n = dx * nx + dy * ny;
-      const double q_gap = most(most(track.low_q - q, q - track.high_q) - q_half, 0.0);
-      const double chord = root(most(radius * radius - q_gap * q_gap, 0.0)) + p_half;
-      const double h1 = (first - h) * by_h, h2 = (last - h) * by_h;
-      const double n1 = (-across - n) * by_n, n2 = (across - n) * by_n;
-      const double from = most(most(least(h1, h2), least(n1, n2)), (p - track.high_p - chord) * by_p);
-      const double to = least(least(most(h1, h2), most(n1, n2)), (p - track.low_p + chord) * by_p);
-      const bool met = q_gap <= radius && from <= to;
-      low[i] = met ? least(low[i], a.z + from) : low[i];
-      high[i] = met ? most(high[i], a.z + to) : high[i];
+      const double chord = root(radius * radius - q_gap[i] * q_gap[i]);
+      const double h1 = (first - h[i]) * by_h, h2 = (last - h[i]) * by_h;
+      const double n1 = (-across - n[i]) * by_n, n2 = (across - n[i]) * by_n;
+      const double p1 = (p[i] - last_p - chord) * by_p, p2 = (p[i] - first_p + chord) * by_p;
+      const double from = tip + most(most(least(h1, h2), least(n1, n2)), p1);
+      const double to = tip + least(least(most(h1, h2), most(n1, n2)), p2);
+      const double beside = q_gap[i] <= radius ? from : kNoHeight;
+      low[i] = beside <= to ? least(low[i], beside) : low[i];
+      high[i] = beside <= to ? most(high[i], to) : high[i];
     }
   }
 }
 
-void poseReach(const PoseRun& run, double between, const proveout::FourBlocks& blocks, double* low,
-               double* high) {
-  const double slack = between + proveout::kCullSlackMm;
-  for (int i = 0; i < 4; ++i) low[i] = kNoHeight, high[i] = -kNoHeight;
-  for (int end = 0; end < (run.straight ? 1 : 2); ++end) {
-    const proveout::PoseAt &first = run.poses[end == 0 ? 0 : run.count - 1],
-                           &last = run.straight ? run.poses[run.count - 1] : first;
-    poseReachAt(*run.solid, first, poseTrack(first, last), slack, blocks, low, high);
+void poseReach(const PoseSpan& span, const proveout::FourBlocks& blocks, double* low, double* high) {
+  constexpr double kSlack = proveout::kCullSlackMm;
+  const double half = blocks.half_width;
+  const double left = span.min[0] - half, front = span.min[1] - half, bottom = span.min[2];
+  const double right = span.max[0] + half, back = span.max[1] + half, top = span.max[2];
+  double near[4], from[4], to[4];
+  for (int i = 0; i < 4; ++i) {
+    const double x = blocks.x[i], y = blocks.y[i];
+    const double in_x = x >= left && x <= right ? 1.0 : 0.0, in_y = y >= front && y <= back ? in_x : 0.0;
+    near[i] = blocks.z_high[i] > bottom && blocks.z_low[i] < top ? in_y : 0.0;
+    low[i] = kNoHeight, high[i] = -kNoHeight;
+    from[i] = kNoHeight, to[i] = -kNoHeight;
+  }
+  if (most(most(near[0], near[1]), most(near[2], near[3])) == 0.0) return;
+  for (int end = 0; end < span.count; ++end)
+    poseReachAt(*span.solid, span.tracks[end], span.between + kSlack, blocks, from, to);
+  for (int i = 0; i < 4; ++i) {
+    const double lowest = most(from[i], bottom) - kSlack, highest = least(to[i], top) + kSlack;
+    const bool in =
+        near[i] > 0.0 && from[i] <= to[i] && lowest < blocks.z_high[i] && highest > blocks.z_low[i];
+    low[i] = in ? lowest : kNoHeight;
+    high[i] = in ? highest : -kNoHeight;
   }
 }
 

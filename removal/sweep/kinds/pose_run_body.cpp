@@ -53,17 +53,8 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
   // What moves between two poses leaves their chord by an eighth of its second derivative.
   const double wide = 2.0 * (last - first) / count, reach = reachOf(part);
   bounds_ = bounds_.inflated((stretch.tip[1] + reach * stretch.axis[1]) * wide * wide / 8.0 + kTrackMm);
-  gap_ = stretch.mostShift(reach) * 2.0 / count;
-}
-
-void PosePiece::reach(const FourBlocks& blocks, double* low, double* high) const {
-  const std::array<PoseAt, 2> at = ends();
-  reachOfRun({solid_, at.data(), 2}, between(), bounds_, blocks, low, high);
-}
-
-unsigned PosePiece::hits(const LeafColumns& leaf, unsigned quarters) const {
-  const std::array<PoseAt, 2> at = ends();
-  return columnKernels().pose_hits({solid_, at.data(), 2}, between(), leaf, quarters);
+  between_ = stretch.mostShift(reach) * static_cast<double>(last - first) / count;
+  tracks_ = {poseTrack(poses_.front(), Vec3::Zero()), poseTrack(poses_.back(), Vec3::Zero())};
 }
 
 }  // namespace proveout

@@ -32,25 +32,23 @@ class PosePiece {
             int count);
 
   PoseRun run() const { return {solid_, poses_.data(), static_cast<int>(poses_.size())}; }
-  void reach(const FourBlocks& blocks, double* low, double* high) const;
-  /// As PoseHitKernel.
-  unsigned hits(const LeafColumns& leaf, unsigned quarters) const;
+  PoseSpan span() const {
+    return {solid_, tracks_.data(), 2, between_, bounds_.min.data(), bounds_.max.data()};
+  }
   const Box3& bounds() const { return bounds_; }
   double middleShare() const { return share_; }
 
  private:
   /// Of one piece.
   static constexpr int kMostSteps = 16, kMostOnStretch = 4096;
-  /// No point of the tool is ever farther from where it is at one of the ends, mm.
-  double between() const { return 0.5 * gap_ * static_cast<double>(poses_.size() - 1); }
-  std::array<PoseAt, 2> ends() const { return {poses_.front(), poses_.back()}; }
   static int posesOn(const PosedSweep& sweep, const PosedStretch& stretch);
 
+  Box3 bounds_;
+  double between_;  ///< no point of the tool is ever farther from where it is at one of the ends, mm
+  std::array<PoseTrack, 2> tracks_;  ///< at the ends
   const PoseSolid* solid_;
   std::vector<PoseAt> poses_;
-  Box3 bounds_;
   double share_;  ///< of the motion, in its middle
-  double gap_;    ///< no point goes farther between two poses, mm
 };
 
 struct PoseRunBody : BodyDefaults {
@@ -62,9 +60,11 @@ struct PoseRunBody : BodyDefaults {
     columnKernels().poses(piece->run(), x, y, count, lo, hi);
   }
   void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(*this, leaf, quarters); }
-  void reach(const FourBlocks& blocks, double* low, double* high) const { piece->reach(blocks, low, high); }
+  void reach(const FourBlocks& blocks, double* low, double* high) const {
+    columnKernels().pose_reach(piece->span(), blocks, low, high);
+  }
   unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
-    return piece->hits(leaf, quarters);
+    return columnKernels().pose_hits(piece->span(), leaf, quarters);
   }
   double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
   double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#include "removal/sweep/column_sweep.h"
 
 namespace proveout {
 
@@ -40,26 +37,29 @@ PoseSolid poseSolid(const ConvexProfile& profile) {
   return solid;
 }
 
-void reachOfRun(const PoseRun& run, double between, const Box3& bounds, const FourBlocks& blocks, double* low,
-                double* high) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  const double half = blocks.half_width;
-  bool any = false;
-  for (int i = 0; i < 4; ++i) {
-    any = any || (blocks.x[i] + half >= bounds.min.x() && blocks.x[i] - half <= bounds.max.x() &&
-                  blocks.y[i] + half >= bounds.min.y() && blocks.y[i] - half <= bounds.max.y() &&
-                  blocks.z_high[i] > bounds.min.z() && blocks.z_low[i] < bounds.max.z());
-  }
-  double from[4], to[4];
-  if (any) columnKernels().pose_reach(run, between, blocks, from, to);
-  for (int i = 0; i < 4; ++i) {
-    low[i] = kNone, high[i] = -kNone;
-    if (!any || !(from[i] <= to[i])) continue;
-    const double lowest = std::max(from[i], bounds.min.z()) - kCullSlackMm,
-                 highest = std::min(to[i], bounds.max.z()) + kCullSlackMm;
-    if (lowest >= blocks.z_high[i] || highest <= blocks.z_low[i]) continue;
-    low[i] = lowest, high[i] = highest;
-  }
+PoseTrack poseTrack(const PoseAt& a, const Vec3& way) {
+  constexpr double kUpright = 1e-9, kStill = 1e-9;  // of the level part; mm
+  /// The slack of bounds is more than what less than this does on any height that counts.
+  constexpr double kLeast = 1e-9;
+  const auto inverse = [](double v) { return 1.0 / (std::abs(v) > kLeast ? v : kLeast); };
+  const Vec3 axis(a.ax, a.ay, a.az);
+  const double level = axis.head<2>().norm();
+  const Vec2 toward = level > kUpright ? Vec2(axis.head<2>() / level) : Vec2(1.0, 0.0);
+  const Vec3 p(toward.x() * a.az, toward.y() * a.az, -level), q(-toward.y(), toward.x(), 0.0);
+  const double way_p = way.dot(p), way_q = way.dot(q), way_h = way.dot(axis),
+               length = std::hypot(way_p, way_q);
+  PoseTrack track;
+  track.at = a, track.level = level;
+  track.px = p.x(), track.py = p.y(), track.qx = q.x(), track.qy = q.y();
+  track.low_p = std::min(0.0, way_p), track.high_p = std::max(0.0, way_p);
+  track.low_q = std::min(0.0, way_q), track.high_q = std::max(0.0, way_q);
+  track.low_h = std::min(0.0, way_h), track.high_h = std::max(0.0, way_h);
+  const bool moves = length > kStill;
+  track.up = moves ? way_p / length : 1.0, track.uq = moves ? way_q / length : 0.0;
+  track.length = std::max(length, kStill);
+  track.nx = q.x() * track.up - p.x() * track.uq, track.ny = q.y() * track.up - p.y() * track.uq;
+  track.by_h = inverse(a.az), track.by_p = inverse(level), track.by_n = inverse(level * track.uq);
+  return track;
 }
 
 }  // namespace proveout

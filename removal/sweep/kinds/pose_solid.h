@@ -20,8 +20,7 @@ inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
 /// Least radius at which faces of the profile bend around its axis, mm; 0: it has a point.
 double leastRadius(const ConvexProfile& profile);
 
-/// As ReachKernel, of all that is nearer to a run than `between`, mm, and lies in `bounds`.
-void reachOfRun(const PoseRun& run, double between, const Box3& bounds, const FourBlocks& blocks, double* low,
-                double* high);
+/// The track from a place on; `way`: of the tip, mm, workpiece frame.
+PoseTrack poseTrack(const PoseAt& from, const Vec3& way);
 
 }  // namespace proveout
