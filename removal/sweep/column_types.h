@@ -120,7 +120,8 @@ struct PoseSolid {
   struct Rim {
     double z, radius2;
   };
-  int zones = 0, rims = 0;  ///< no zones: the kernels do not know the solid
+  int zones = 0, rims = 0;
+  bool known = false;  ///< else the zones only tell `low`, `high` and `widest`
   Zone zone[kMost];
   Rim rim[2 * kMost];
 };

@@ -154,9 +154,13 @@ void BodyMaker::addLeaning(const MotionWay& way, const PartUse& part) {
 void BodyMaker::addLeanArc(const MotionWay& way, const ToolFrame& tool, const PartUse& part,
                            const SweptField& curve) {
   const Motion& m = way.motion;
-  const LeanArc& arc = store_.lean_arcs.emplace_back(*part.profile, tool, m.from, m.to, *way.arc);
-  for (int number = 0; number < LeanArc::kMostSpans; ++number)
-    bodies_.push_back({SweptBody(*part.profile, LeanArcBody(arc, number), &curve)});
+  const LeanArc whole(*part.profile, tool, m.from, m.to, *way.arc, partsOf(*part.profile).poses);
+  const std::size_t first = store_.lean_arcs.size();
+  whole.cut(store_.lean_arcs);
+  for (std::size_t i = first; i < store_.lean_arcs.size(); ++i) {
+    for (int number = 0; number < LeanArc::kMostSpans; ++number)
+      bodies_.push_back({SweptBody(*part.profile, LeanArcBody(store_.lean_arcs[i], number), &curve)});
+  }
 }
 
 /// Chords of helices about the tool's axis and of arcs about other axes.
@@ -212,7 +216,7 @@ void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& b
 void BodyMaker::addStretches(PosedSweep of, const PoseSolid& solid) {
   const SweptField& whole = store_.fields.emplace_back(std::move(of));
   const PosedSweep& sweep = *whole.posed();
-  if (solid.zones > 0 && PosePiece::serves(sweep)) {
+  if (solid.known && PosePiece::serves(sweep)) {
     const std::size_t first = store_.pose_pieces.size();
     for (const PosedStretch& stretch : sweep.stretches())
       PosePiece::cut(sweep, stretch, solid, store_.pose_pieces);
@@ -221,7 +225,7 @@ void BodyMaker::addStretches(PosedSweep of, const PoseSolid& solid) {
     return;
   }
   for (std::size_t i = 0; i < sweep.stretches().size(); ++i) {
-    const PosedPiece& piece = store_.posed_pieces.emplace_back(sweep, i);
+    const PosedPiece& piece = store_.posed_pieces.emplace_back(sweep, i, solid);
     for (int number = 0; number < PosedPiece::kMostSpans; ++number)
       bodies_.push_back({SweptBody(sweep.profile(), PosedBody(piece, number), &whole)});
   }

@@ -16,6 +16,8 @@ namespace {
 using Element = ConvexProfile::Element;
 using Polynomial = std::array<double, 5>;  ///< by growing powers
 
+/// Pieces are no longer than this, and leave their chord by no more than this share of the tool's radius.
+constexpr double kMostPieceRad = 1.6, kSagittaShare = 0.25, kMostPieces = 1e4;
 /// Meetings nearer to each other than this are one, mm.
 constexpr double kOneMm = 1e-11;
 
@@ -141,8 +143,8 @@ void addFaces(const AxisView& v, const ConvexProfile& profile, double out, doubl
 }  // namespace
 
 LeanArc::LeanArc(const ConvexProfile& of, const ToolFrame& in, const Vec3& from, const Vec3& to,
-                 const ArcGeometry& arc)
-    : profile(&of), frame(in) {
+                 const ArcGeometry& arc, const PoseSolid& known)
+    : bounds(LeaningSweep(of, in, from, to, &arc).bounds()), solid(&known), profile(&of), frame(in) {
   const Vec3 start = in.toTool(from), end = in.toTool(to);
   center = in.toTool(arc.center);
   center.z() = start.z();
@@ -152,11 +154,66 @@ LeanArc::LeanArc(const ConvexProfile& of, const ToolFrame& in, const Vec3& from,
   turn = arc.sweep_rad * in.toTool(arc.normal).z() < 0.0 ? -1.0 : 1.0;
   if (turn < 0.0) std::swap(first, last);
   sweep = std::abs(arc.sweep_rad);
-  bounds = LeaningSweep(of, in, from, to, &arc).bounds();
+  setPlace();
+}
+
+void LeanArc::cut(std::deque<LeanArc>& out) const {
+  const double step = std::min(kMostPieceRad, std::sqrt(8.0 * kSagittaShare * profile->maxRadius() / radius));
+  const int count = static_cast<int>(std::ceil(std::clamp(sweep / step, 1.0, kMostPieces)));
+  const double angle = sweep / count;
+  Vec2 from = first;
+  for (int i = 0; i < count; ++i) {
+    LeanArc& piece = out.emplace_back(*this);
+    piece.first = from;
+    if (i + 1 < count) piece.last = Eigen::Rotation2Dd((i + 1) * angle) * first;
+    piece.sweep = angle;
+    piece.setPlace();
+    from = piece.last;
+  }
+}
+
+/// Where the ends are known, all else follows.
+void LeanArc::setPlace() {
+  id_ = nextPieceId();
+  const auto placed = [&](const Vec2& level) {
+    return poseAt(frame.toPart(center + Vec3(level.x(), level.y(), 0.0)), frame.axis());
+  };
+  const Vec2 from = radius * first, to = radius * last, way = to - from;
+  const auto toPart = [&](const Vec2& level) { return frame.toPart(Vec3(level.x(), level.y(), 0.0)); };
+  chord = poseTrack(placed(from), toPart(way));
+  sagitta = sweep < kPi ? radius * (1.0 - std::cos(0.5 * sweep)) : 2.0 * radius;
+  // On the inner side of the chord nothing is farther from it than the tool's radius; between the ends the
+  // tool covers what is nearer than where its circles at the ends meet.
+  const double least = thinnestPart(*profile), half = 0.5 * way.norm(), widest = profile->maxRadius();
+  const double near = least > half ? std::sqrt(least * least - half * half) : -sagitta;
+  const Vec2 inner = -0.5 * (from + to).stableNormalized();
+  const double wide = 0.5 * (widest - near);
+  notch = poseTrack(placed(from + 0.5 * (widest + near) * inner), toPart(way));
+  notch_solid = {};
+  notch_solid.zones = 1;
+  notch_solid.zone[0] = {profile->zMin(), profile->zMax(), 0.0, 0.0, 0.0, wide, false};
+}
+
+void LeanArc::reach(int number, const FourBlocks& blocks, double* low, double* high) const {
+  columnKernels().pose_reach(span(), blocks, low, high);
+  if (number == 0 || sweep > kMostPieceRad) return;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  FourBlocks columns = blocks;
+  for (int i = 0; i < 4; ++i) columns.z_low[i] = -kFar, columns.z_high[i] = kFar;
+  double from[4], to[4];
+  columnKernels().pose_reach({&notch_solid, &notch, 1, 0.0, bounds.min.data(), bounds.max.data()}, columns,
+                             from, to);
+  for (int i = 0; i < 4; ++i) {
+    if (from[i] > to[i]) low[i] = kFar, high[i] = -kFar;
+  }
 }
 
 ColumnSpan LeanArc::column(double x, double y, int number) const {
   if (x < bounds.min.x() || x > bounds.max.x() || y < bounds.min.y() || y > bounds.max.y()) return {};
+  return keptSpans(*this, id_, x, y)[static_cast<std::size_t>(number)];
+}
+
+LeanArc::Spans LeanArc::columnSpans(double x, double y) const {
   // Counted from where the line is nearest to the centre, so that powers stay small.
   const Vec3 along = frame.toTool(Vec3::UnitZ());
   SpaceLine line{frame.toTool(Vec3(x, y, 0.0)) - center, along};
@@ -182,43 +239,30 @@ ColumnSpan LeanArc::column(double x, double y, int number) const {
                            : std::min((p - ends[0]).head<2>().norm(), (p - ends[1]).head<2>().norm());
     return profile->sample(off, p.z()).value < 0.0;
   };
-  ColumnSpan span;
+  Spans spans;
+  std::size_t count = 0;
   bool open = false;
   double before = -std::numeric_limits<double>::infinity();
   for (const double t : meetings.sorted()) {
     if (t - before > kOneMm) {
       const bool in = before >= all.span().lo && covers(line.at(0.5 * (before + t)));
-      if (in && !open) span.lo = before;
+      if (in && !open) spans[count].lo = before + base;
       if (!in && open) {
-        span.hi = before;
-        if (number-- == 0) return {span.lo + base, span.hi + base};
+        spans[count].hi = before + base;
+        if (++count == spans.size()) return spans;
       }
       open = in;
     }
     before = t;
   }
-  if (open && number == 0) return {span.lo + base, before + base};
-  return {};
+  if (open) spans[count].hi = before + base;
+  return spans;
 }
 
 bool LeanArc::isPassed(const Vec2& level) const {
   if (sweep >= 2.0 * kPi) return true;
   if (sweep <= kPi) return cross(first, level) >= 0.0 && cross(level, last) >= 0.0;
   return !(cross(last, level) > 0.0 && cross(level, first) > 0.0);
-}
-
-/// As LeanLine::around, with all that the tool covers on a full circle.
-ColumnSpan LeanArc::around(double x, double y, double half_width) const {
-  if (x + half_width < bounds.min.x() || x - half_width > bounds.max.x() || y + half_width < bounds.min.y() ||
-      y - half_width > bounds.max.y())
-    return {};
-  const double grown = std::sqrt(2.0) * half_width + kCullSlackMm;
-  LineMeeting meeting({frame.toTool(Vec3(x, y, 0.0)) - center, frame.toTool(Vec3::UnitZ())}, Vec3::Zero());
-  meeting.meetCylinder(radius + profile->maxRadius() + grown, profile->zMin() - grown,
-                       profile->zMax() + grown);
-  const ColumnSpan span = meeting.span();
-  if (!(span.lo <= span.hi)) return {};
-  return {std::max(span.lo, bounds.min.z()) - kCullSlackMm, std::min(span.hi, bounds.max.z()) + kCullSlackMm};
 }
 
 std::optional<double> LeanArcBody::simpleBend(const ConvexProfile::Element& e) const {

@@ -20,7 +20,8 @@ ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + 
 LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end,
                    const PoseSolid& known)
     : track(poseTrack(poseAt(start, in.axis()), end - start)),
-      solid(known.zones > 0 && std::abs(in.axis().z()) >= kLeastAxisRise ? &known : nullptr),
+      solid(&known),
+      has_kernel(known.known && std::abs(in.axis().z()) >= kLeastAxisRise),
       profile(&of),
       frame(in),
       from(start),
@@ -35,20 +36,6 @@ ColumnSpan LeanLine::column(double x, double y) const {
   LineMeeting meeting(through({x, y, from.z()}, Vec3::UnitZ()), way);
   meeting.meet(*profile);
   return raised(meeting.span(), from.z());
-}
-
-/// No point of the square's columns is farther from the middle one, level, than its corners: where they are
-/// in the volume that is in a cylinder around the part that is wider and longer by that.
-ColumnSpan LeanLine::around(double x, double y, double half_width) const {
-  if (x + half_width < bounds.min.x() || x - half_width > bounds.max.x() || y + half_width < bounds.min.y() ||
-      y - half_width > bounds.max.y())
-    return {};
-  const double grown = std::sqrt(2.0) * half_width + kCullSlackMm;
-  LineMeeting meeting(through({x, y, from.z()}, Vec3::UnitZ()), way);
-  meeting.meetCylinder(profile->maxRadius() + grown, profile->zMin() - grown, profile->zMax() + grown);
-  const ColumnSpan span = raised(meeting.span(), from.z());
-  if (!(span.lo <= span.hi)) return {};
-  return {std::max(span.lo, bounds.min.z()) - kCullSlackMm, std::min(span.hi, bounds.max.z()) + kCullSlackMm};
 }
 
 void LeanLine::columns(const double* x, const double* y, int count, double* lo, double* hi) const {

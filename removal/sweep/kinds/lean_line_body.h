@@ -20,17 +20,16 @@ struct LeanLine {
   SpaceLine through(const Vec3& p, const Vec3& along) const {
     return {frame.toTool(p - from), frame.toTool(along)};
   }
-  // As ScalarBody asks.
   ColumnSpan column(double x, double y) const;
-  ColumnSpan around(double x, double y, double half_width) const;
-  /// As ColumnKernel; `solid` is known.
+  /// As ColumnKernel. Requires `has_kernel`.
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
 
   PoseSpan span() const { return {solid, &track, 1, 0.0, bounds.min.data(), bounds.max.data()}; }
 
   Box3 bounds;  ///< of the volume, workpiece frame
   PoseTrack track;
-  const PoseSolid* solid;  ///< null: columns are found one by one
+  const PoseSolid* solid;
+  bool has_kernel;  ///< else columns are found one by one
   const ConvexProfile* profile;
   ToolFrame frame;
   Vec3 from, to;  ///< of the tip, workpiece frame
@@ -45,18 +44,16 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
 
   Vec3 axis() const { return line->frame.axis(); }
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
-    if (line->solid == nullptr) return ScalarBody::columns(x, y, count, lo, hi);
+    if (!line->has_kernel) return ScalarBody::columns(x, y, count, lo, hi);
     line->columns(x, y, count, lo, hi);
   }
   void reach(const FourBlocks& blocks, double* low, double* high) const {
-    if (line->solid == nullptr) return ScalarBody::reach(blocks, low, high);
     columnKernels().pose_reach(line->span(), blocks, low, high);
   }
   unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
-    return line->solid == nullptr ? quarters : columnKernels().pose_hits(line->span(), leaf, quarters);
+    return columnKernels().pose_hits(line->span(), leaf, quarters);
   }
   ColumnSpan column(double x, double y) const { return line->column(x, y); }
-  ColumnSpan around(double x, double y, double half_width) const { return line->around(x, y, half_width); }
   double highestReach() const { return line->bounds.max.z() + kCullSlackMm; }
   bool isConvex() const { return true; }
   bool holdsEdges(double, const Vec2&, double) const { return true; }

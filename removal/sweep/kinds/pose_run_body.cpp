@@ -7,20 +7,10 @@
 
 namespace proveout {
 
-namespace pose_run_detail {
-
-double reachOf(const ConvexProfile& profile) {
-  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-}
-
-}  // namespace pose_run_detail
-
-using namespace pose_run_detail;
-
 int PosePiece::posesOn(const PosedSweep& sweep, const PosedStretch& stretch) {
   const double turn = 2.0 * stretch.axis[0];
   if (std::abs(stretch.middleAxis().z()) - turn < kLeastAxisRise) return 0;
-  const double way = 2.0 * stretch.mostShift(reachOf(sweep.profile()));
+  const double way = 2.0 * stretch.mostShift(farthestFromTip(sweep.profile()));
   const double step = std::sqrt(8.0 * kPosesMm * leastRadius(sweep.profile()));
   const double count = std::ceil(way / step);
   return count <= kMostOnStretch ? std::max(1, static_cast<int>(count)) : 0;  // 0 of a point as well
@@ -51,7 +41,7 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
     bounds_.extend(Vec3(pose.tip + box.max));
   }
   // What moves between two poses leaves their chord by an eighth of its second derivative.
-  const double wide = 2.0 * (last - first) / count, reach = reachOf(part);
+  const double wide = 2.0 * (last - first) / count, reach = farthestFromTip(part);
   bounds_ = bounds_.inflated((stretch.tip[1] + reach * stretch.axis[1]) * wide * wide / 8.0 + kTrackMm);
   between_ = stretch.mostShift(reach) * static_cast<double>(last - first) / count;
   tracks_ = {poseTrack(poses_.front(), Vec3::Zero()), poseTrack(poses_.back(), Vec3::Zero())};

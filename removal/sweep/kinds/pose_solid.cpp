@@ -18,11 +18,25 @@ double leastRadius(const ConvexProfile& profile) {
   return least;
 }
 
-PoseSolid poseSolid(const ConvexProfile& profile) {
-  PoseSolid solid;
+double thinnestPart(const ConvexProfile& profile) {
+  double least = profile.maxRadius();
   for (int i = 0; i < profile.elementCount(); ++i) {
     const ConvexProfile::Element& e = profile.element(i);
-    if (e.arc && e.cr != 0.0) return {};
+    if (e.arc || e.dz != 0.0) least = std::min({least, e.ar, e.br});
+  }
+  return least;
+}
+
+double farthestFromTip(const ConvexProfile& profile) {
+  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
+}
+
+PoseSolid poseSolid(const ConvexProfile& profile) {
+  PoseSolid solid;
+  solid.known = true;
+  for (int i = 0; i < profile.elementCount(); ++i) {
+    const ConvexProfile::Element& e = profile.element(i);
+    if (e.arc && e.cr != 0.0) solid.known = false;
     if (e.br > 0.0) solid.rim[solid.rims++] = {e.bz, e.br * e.br};
     if (!e.arc && e.dz == 0.0) continue;
     PoseSolid::Zone& zone = solid.zone[solid.zones++];

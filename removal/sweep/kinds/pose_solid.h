@@ -10,7 +10,7 @@ namespace proveout {
 /// A tool whose axis rises less leaves rims that the kernels do not follow.
 inline constexpr double kLeastAxisRise = 0.25;
 
-/// What the kernels know of a profile; no zones where it has round corners.
+/// What the kernels know of a profile; not its faces where it has round corners.
 PoseSolid poseSolid(const ConvexProfile& profile);
 
 inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
@@ -19,6 +19,12 @@ inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
 
 /// Least radius at which faces of the profile bend around its axis, mm; 0: it has a point.
 double leastRadius(const ConvexProfile& profile);
+
+/// Least radius of the profile between its ends, mm: 0 where one of them is no disc.
+double thinnestPart(const ConvexProfile& profile);
+
+/// No point of the profile is farther from the tool's tip, mm.
+double farthestFromTip(const ConvexProfile& profile);
 
 /// The track from a place on; `way`: of the tip, mm, workpiece frame.
 PoseTrack poseTrack(const PoseAt& from, const Vec3& way);

@@ -1,7 +1,6 @@
 #include "removal/sweep/kinds/posed_body.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
 #include "removal/sweep/kinds/line_meeting.h"
@@ -24,23 +23,29 @@ constexpr double kLeastStepMm = 2e-5;
 constexpr int kMostMarches = 100000;
 /// Parts of a stretch whose surroundings tell where to look.
 constexpr int kWayParts = 4;
-/// Columns that a thread keeps: those of a leaf.
-constexpr std::size_t kKept = 64;
-
-inline std::uint64_t nextId() {
-  static std::atomic<std::uint64_t> last{0};
-  return ++last;
-}
+/// Where culling looks at a stretch: so many of its poses that the tool moves no farther from one of them
+/// than this share of its radius, but not too many.
+constexpr double kTrackShare = 0.25, kMostTracks = 32.0;
 
 }  // namespace posed_body_detail
 
 using namespace posed_body_detail;
 
-PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t stretch)
-    : sweep_(&sweep),
-      number_(stretch),
-      id_(nextId()),
-      bounds_(stretchBounds(sweep.profile(), sweep.stretches()[stretch])) {}
+PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t number, const PoseSolid& solid)
+    : bounds_(stretchBounds(sweep.profile(), sweep.stretches()[number])),
+      solid_(&solid),
+      sweep_(&sweep),
+      number_(number),
+      id_(nextPieceId()) {
+  const double shift = stretch().mostShift(farthestFromTip(sweep.profile()));
+  const double count =
+      std::clamp(std::ceil(shift / (kTrackShare * sweep.profile().maxRadius())), 1.0, kMostTracks);
+  between_ = shift / count + kTrackMm;
+  for (int i = 0; i < count; ++i) {
+    const PosedStretch::Pose pose = stretch().poseAt((2.0 * i + 1.0) / count - 1.0);
+    tracks_.push_back(poseTrack(poseAt(pose.tip, pose.axis), Vec3::Zero()));
+  }
+}
 
 ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   const PosedStretch::Pose pose = stretch().poseAt(t);
@@ -51,13 +56,13 @@ ColumnSpan PosedPiece::spanAt(double x, double y, double t) const {
   return {meeting.span().lo + pose.tip.z(), meeting.span().hi + pose.tip.z()};
 }
 
-/// Heights between which anything of the part may be over the line, `slack` mm wider, in a share of the
-/// stretch about a pose. What is higher on the tool moves farther, so that all of it lies in a cone.
-ColumnSpan PosedPiece::spanAround(double x, double y, double t, double share, double slack) const {
+/// Heights between which anything of the part may be over the line, in a share of the stretch about a pose.
+/// What is higher on the tool moves farther, so that all of it lies in a cone.
+ColumnSpan PosedPiece::spanAround(double x, double y, double t, double share) const {
   const ConvexProfile& part = sweep_->profile();
   const double r = part.maxRadius(), low = part.zMin(), high = part.zMax();
   const double turn = std::min(0.9, share * stretch().axis[0]);
-  const double base = share * stretch().tip[0] + turn * r + slack + kTrackMm;  // a point at the tip
+  const double base = share * stretch().tip[0] + turn * r + kTrackMm;  // a point at the tip
   const double slope = turn / (1.0 - turn);
   ConvexProfile around;
   if (low >= 0.0) {
@@ -86,7 +91,7 @@ ColumnSpan PosedPiece::searched(double x, double y) const {
   ColumnSpan all;
   for (int k = 0; k < kWayParts; ++k) {
     // Bounds of how far points go hold for any part of the stretch alike.
-    const ColumnSpan part = spanAround(x, y, (2.0 * k + 1.0) / kWayParts - 1.0, 1.0 / kWayParts, 0.0);
+    const ColumnSpan part = spanAround(x, y, (2.0 * k + 1.0) / kWayParts - 1.0, 1.0 / kWayParts);
     all.lo = std::min(all.lo, part.lo), all.hi = std::max(all.hi, part.hi);
   }
   return all;
@@ -118,32 +123,11 @@ double PosedPiece::climb(double x, double y, double z, double direction, PosedPl
 
 ColumnSpan PosedPiece::column(double x, double y, int number) const {
   if (x < bounds_.min.x() || x > bounds_.max.x() || y < bounds_.min.y() || y > bounds_.max.y()) return {};
-  return columnOf(x, y).spans[static_cast<std::size_t>(number)];
+  return keptSpans(*this, id_, x, y)[static_cast<std::size_t>(number)];
 }
 
-const PosedPiece::Column& PosedPiece::columnOf(double x, double y) const {
-  struct Kept {
-    std::uint64_t id = 0;
-    double x, y;
-    Column column;
-  };
-  thread_local std::array<Kept, kKept> kept;
-  thread_local std::size_t next = 0;
-  // Columns are asked for in the same order again.
-  for (std::size_t i = 0; i < kKept; ++i) {
-    const std::size_t at = (next + i) % kKept;
-    if (kept[at].id != id_ || kept[at].x != x || kept[at].y != y) continue;
-    next = (at + 1) % kKept;
-    return kept[at].column;
-  }
-  Kept& fresh = kept[next];
-  next = (next + 1) % kKept;
-  fresh = {id_, x, y, findColumn(x, y)};
-  return fresh.column;
-}
-
-PosedPiece::Column PosedPiece::findColumn(double x, double y) const {
-  Column out;
+PosedPiece::Spans PosedPiece::columnSpans(double x, double y) const {
+  Spans out;
   std::size_t count = 0;
   const ColumnSpan all = searched(x, y);
   PosedPlace at{number_, 0.0, 0.0};
@@ -156,22 +140,12 @@ PosedPiece::Column PosedPiece::findColumn(double x, double y) const {
       continue;
     }
     const double inside = std::max(z, 0.5 * (span.lo + span.hi));
-    ColumnSpan& found = out.spans[count++];
+    ColumnSpan& found = out[count++];
     found = {z, climb(x, y, inside, 1.0, at)};
     if (at.value > 0.0) found.lo = climb(x, y, inside, -1.0, at);
     z = found.hi + kLeastStepMm;
   }
   return out;
-}
-
-/// As LeanLine::around.
-ColumnSpan PosedPiece::around(double x, double y, double half_width) const {
-  if (x + half_width < bounds_.min.x() || x - half_width > bounds_.max.x() ||
-      y + half_width < bounds_.min.y() || y - half_width > bounds_.max.y())
-    return {};
-  const ColumnSpan span = spanAround(x, y, 0.0, 1.0, std::sqrt(2.0) * half_width + kCullSlackMm);
-  if (!(span.lo <= span.hi)) return {};
-  return {span.lo - kCullSlackMm, span.hi + kCullSlackMm};
 }
 
 }  // namespace proveout

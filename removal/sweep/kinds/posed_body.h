@@ -3,7 +3,9 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
+#include "removal/sweep/kinds/pose_solid.h"
 #include "removal/sweep/kinds/scalar_body.h"
 #include "removal/sweep/posed_sweep.h"
 
@@ -21,32 +23,35 @@ class PosedPiece {
   /// More intervals than this of one column a stretch does not leave.
   static constexpr int kMostSpans = 3;
 
-  /// `sweep` must outlive this.
-  PosedPiece(const PosedSweep& sweep, std::size_t stretch);
+  /// `sweep` and `solid`, of its profile, must outlive this.
+  PosedPiece(const PosedSweep& sweep, std::size_t stretch, const PoseSolid& solid);
 
   /// Of the line at (x, y) the interval with this number, counted from below.
   ColumnSpan column(double x, double y, int number) const;
-  ColumnSpan around(double x, double y, double half_width) const;
+  using Spans = std::array<ColumnSpan, kMostSpans>;
+  Spans columnSpans(double x, double y) const;
   const Box3& bounds() const { return bounds_; }
+  PoseSpan span() const {
+    return {solid_,   tracks_.data(),     static_cast<int>(tracks_.size()),
+            between_, bounds_.min.data(), bounds_.max.data()};
+  }
   double middleShare() const { return stretch().shareAt(0.0); }
 
  private:
   const PosedStretch& stretch() const { return sweep_->stretches()[number_]; }
-  struct Column {
-    std::array<ColumnSpan, kMostSpans> spans;
-  };
-  const Column& columnOf(double x, double y) const;
-  Column findColumn(double x, double y) const;
   ColumnSpan spanAt(double x, double y, double t) const;
-  ColumnSpan spanAround(double x, double y, double t, double share, double slack) const;
+  ColumnSpan spanAround(double x, double y, double t, double share) const;
   ColumnSpan searched(double x, double y) const;
   PosedPlace nearest(const Vec3& p, double enough, const PosedPlace& start) const;
   double climb(double x, double y, double z, double direction, PosedPlace at) const;
 
+  Box3 bounds_;
+  double between_ = 0.0;           ///< no point of the tool is ever farther from it on one of the tracks, mm
+  std::vector<PoseTrack> tracks_;  ///< poses
+  const PoseSolid* solid_;
   const PosedSweep* sweep_;
   std::size_t number_;
-  std::uint64_t id_;  ///< of no other piece of this process
-  Box3 bounds_;
+  std::uint64_t id_;
 };
 
 /// What a piece covers in the interval with one number.
@@ -56,7 +61,12 @@ struct PosedBody : ScalarBody<PosedBody> {
   PosedBody(const PosedPiece& of, int of_number) : piece(&of), number(of_number) {}
 
   ColumnSpan column(double x, double y) const { return piece->column(x, y, number); }
-  ColumnSpan around(double x, double y, double half_width) const { return piece->around(x, y, half_width); }
+  void reach(const FourBlocks& blocks, double* low, double* high) const {
+    columnKernels().pose_reach(piece->span(), blocks, low, high);
+  }
+  unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
+    return columnKernels().pose_hits(piece->span(), leaf, quarters);
+  }
   double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
   double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }
   /// Many pieces see one edge, and a distance to one takes as long as to all of them.

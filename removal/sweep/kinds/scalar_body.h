@@ -4,6 +4,9 @@
 // answers with the interval of its own number, counted from below.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "removal/sweep/kinds/body_defaults.h"
 
 namespace proveout {
@@ -14,10 +17,8 @@ struct ColumnSpan {
   double hi = -std::numeric_limits<double>::infinity();
 };
 
-/// What a kind of body needs for all questions about columns. `Kind` derives from this and has
-///   ColumnSpan column(double x, double y) const: what it covers of a column, to within 1e-10 mm;
-///   ColumnSpan around(double x, double y, double half_width) const: heights between which it covers anything
-///     of the columns in a square, or more; kCullSlackMm wider than that.
+/// What a kind of body needs for questions about columns. `Kind` derives from this and has
+///   ColumnSpan column(double x, double y) const: what it covers of a column, to within 1e-10 mm.
 template <typename Kind>
 struct ScalarBody : BodyDefaults {
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
@@ -27,17 +28,37 @@ struct ScalarBody : BodyDefaults {
     }
   }
   void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(kind(), leaf, quarters); }
-  void reach(const FourBlocks& blocks, double* low, double* high) const {
-    for (int i = 0; i < 4; ++i) {
-      const ColumnSpan span = kind().around(blocks.x[i], blocks.y[i], blocks.half_width);
-      const bool in = span.lo < blocks.z_high[i] && span.hi > blocks.z_low[i];
-      low[i] = in ? span.lo : ColumnSpan{}.lo;
-      high[i] = in ? span.hi : ColumnSpan{}.hi;
-    }
-  }
 
  private:
   const Kind& kind() const { return static_cast<const Kind&>(*this); }
 };
+
+/// A number of no other piece of this process.
+std::uint64_t nextPieceId();
+
+/// What `piece` covers of a column, all intervals, as `piece.columnSpans(x, y)` finds them. Its bodies of all
+/// numbers ask for the same columns, in the same order: each thread keeps the last ones, as many as a leaf
+/// has.
+template <typename Piece>
+const typename Piece::Spans& keptSpans(const Piece& piece, std::uint64_t id, double x, double y) {
+  constexpr std::size_t kKept = 64;
+  struct Kept {
+    std::uint64_t id = 0;
+    double x, y;
+    typename Piece::Spans spans;
+  };
+  thread_local std::array<Kept, kKept> kept;
+  thread_local std::size_t next = 0;
+  for (std::size_t i = 0; i < kKept; ++i) {
+    const std::size_t at = (next + i) % kKept;
+    if (kept[at].id != id || kept[at].x != x || kept[at].y != y) continue;
+    next = (at + 1) % kKept;
+    return kept[at].spans;
+  }
+  Kept& fresh = kept[next];
+  next = (next + 1) % kKept;
+  fresh = {id, x, y, piece.columnSpans(x, y)};
+  return fresh.spans;
+}
 
 }  // namespace proveout
