@@ -103,8 +103,27 @@ struct AxisView {
   double level2, turn, step2;  ///< level distance: its square is level2 + 2 turn t + step2 t^2
 };
 
+/// What of the line is in a cylinder about the axis.
+ColumnSpan inCylinder(const AxisView& v, double wide, double low, double high) {
+  constexpr double kLevel = 1e-300;
+  const double root2 = v.turn * v.turn - v.step2 * (v.level2 - wide * wide);
+  if (!(root2 > 0.0)) return {};
+  const double root = std::sqrt(root2);
+  ColumnSpan span{(-v.turn - root) / v.step2, (-v.turn + root) / v.step2};
+  if (std::abs(v.rise) < kLevel) return v.z > low && v.z < high ? span : ColumnSpan{};
+  const double one = (low - v.z) / v.rise, other = (high - v.z) / v.rise;
+  return {std::max(span.lo, std::min(one, other)), std::min(span.hi, std::max(one, other))};
+}
+
+/// The level faces of all places of the way.
+void addLevels(const AxisView& v, const ConvexProfile& profile, Meetings& to) {
+  for (int i = 0; i < profile.elementCount(); ++i) {
+    const Element& e = profile.element(i);
+    if (!e.arc && e.dz == 0.0) to.add((e.az - v.z) / v.rise);
+  }
+}
+
 void addStraight(const AxisView& v, const Element& e, double out, double side, Meetings& to) {
-  if (e.dz == 0.0) return to.add((e.az - v.z) / v.rise);
   // distance * dz = out dz +- (ar dz + (height - az) dr)
   const double at = out * e.dz + side * (e.ar * e.dz + (v.z - e.az) * e.dr), grows = side * e.dr * v.rise;
   const double dz2 = e.dz * e.dz;
@@ -127,14 +146,14 @@ void addRing(const AxisView& v, const Element& e, double out, Meetings& to) {
               4);
 }
 
-/// The faces of a solid of revolution whose profile, or its mirror image (side -1), begins `out` from the
-/// axis.
+/// The faces, but for level ones, of a solid of revolution whose profile, or its mirror image (side -1),
+/// begins `out` from the axis.
 void addFaces(const AxisView& v, const ConvexProfile& profile, double out, double side, Meetings& to) {
   for (int i = 0; i < profile.elementCount(); ++i) {
     const Element& e = profile.element(i);
     if (e.arc) {
       addRing(v, e, out + side * e.cr, to);
-    } else {
+    } else if (e.dz != 0.0) {
       addStraight(v, e, out, side, to);
     }
   }
@@ -210,7 +229,16 @@ void LeanArc::reach(int number, const FourBlocks& blocks, double* low, double* h
 
 ColumnSpan LeanArc::column(double x, double y, int number) const {
   if (x < bounds.min.x() || x > bounds.max.x() || y < bounds.min.y() || y > bounds.max.y()) return {};
+  if (!meetsNotch(x, y)) return number == 0 ? columnSpans(x, y)[0] : ColumnSpan{};
   return keptSpans(*this, id_, x, y)[static_cast<std::size_t>(number)];
+}
+
+/// Seen along the axis, the column is a line at one q.
+bool LeanArc::meetsNotch(double x, double y) const {
+  if (sweep > kMostPieceRad) return true;
+  const double q = (x - notch.at.x) * notch.qx + (y - notch.at.y) * notch.qy;
+  const double wide = notch_solid.zone[0].widest + kCullSlackMm;
+  return q > notch.low_q - wide && q < notch.high_q + wide;
 }
 
 LeanArc::Spans LeanArc::columnSpans(double x, double y) const {
@@ -219,13 +247,13 @@ LeanArc::Spans LeanArc::columnSpans(double x, double y) const {
   SpaceLine line{frame.toTool(Vec3(x, y, 0.0)) - center, along};
   const double base = -line.from.dot(along);
   line.from += base * along;
-  LineMeeting all(line, Vec3::Zero());
-  all.meetCylinder(radius + profile->maxRadius() + kOneMm, profile->zMin() - kOneMm,
-                   profile->zMax() + kOneMm);
-  if (!(all.span().lo < all.span().hi)) return {};
-
-  Meetings meetings(all.span().lo, all.span().hi);
   const AxisView around(line, Vec3::Zero());
+  const ColumnSpan all = inCylinder(around, radius + profile->maxRadius() + kOneMm, profile->zMin() - kOneMm,
+                                    profile->zMax() + kOneMm);
+  if (!(all.lo < all.hi)) return {};
+
+  Meetings meetings(all.lo, all.hi);
+  addLevels(around, *profile, meetings);
   addFaces(around, *profile, radius, 1.0, meetings);
   addFaces(around, *profile, radius, -1.0, meetings);
   std::array<Vec3, 2> ends{Vec3::Zero(), Vec3::Zero()};
@@ -245,7 +273,7 @@ LeanArc::Spans LeanArc::columnSpans(double x, double y) const {
   double before = -std::numeric_limits<double>::infinity();
   for (const double t : meetings.sorted()) {
     if (t - before > kOneMm) {
-      const bool in = before >= all.span().lo && covers(line.at(0.5 * (before + t)));
+      const bool in = before >= all.lo && covers(line.at(0.5 * (before + t)));
       if (in && !open) spans[count].lo = before + base;
       if (!in && open) {
         spans[count].hi = before + base;

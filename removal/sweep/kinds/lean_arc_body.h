@@ -51,6 +51,7 @@ struct LeanArc {
 
  private:
   void setPlace();
+  bool meetsNotch(double x, double y) const;
   std::uint64_t id_ = 0;
 };
 
