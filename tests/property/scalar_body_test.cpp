@@ -1,12 +1,11 @@
 // Bodies that answer one column after the other, against the kernels: a line asked in that way has the same
-// columns, and its reach holds them.
+// columns.
 #include "removal/sweep/kinds/scalar_body.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <memory>
-#include <vector>
 
 #include "core/tool/tool_solid.h"
 #include "removal/sweep/kinds/line_body.h"
@@ -22,16 +21,6 @@ struct SlowLine : ScalarBody<SlowLine> {
     double xs[8] = {x}, ys[8] = {y}, lo[8], hi[8];
     line.columns(xs, ys, 1, lo, hi);
     return {lo[0], hi[0]};
-  }
-  ColumnSpan around(double x, double y, double half_width) const {
-    const LineSweep& way = line.way;
-    const double reach = half_width + way.solid->radius + kCullSlackMm;
-    const double low_x = std::min(way.x, way.x + way.ux * way.length) - reach,
-                 high_x = std::max(way.x, way.x + way.ux * way.length) + reach;
-    const double low_y = std::min(way.y, way.y + way.uy * way.length) - reach,
-                 high_y = std::max(way.y, way.y + way.uy * way.length) + reach;
-    if (x < low_x || x > high_x || y < low_y || y > high_y) return {};
-    return {way.z + std::min(way.rise, 0.0) + way.solid->z_min - kCullSlackMm, line.highestReach()};
   }
   double highestReach() const { return line.highestReach(); }
 
@@ -78,28 +67,30 @@ TEST_F(ScalarBodies, ColumnsOfALeafAreThoseOfTheKernels) {
   EXPECT_GT(covered, 1000);
 }
 
-TEST_F(ScalarBodies, TheReachHoldsTheColumns) {
-  int held = 0;
-  for (int i = 0; i < 2000; ++i) {
-    const SlowLine body = line(i % 8);
-    FourBlocks blocks{};
-    blocks.half_width = random(0.1, 3.0);
-    for (int k = 0; k < 4; ++k) {
-      blocks.x[k] = random(-9, 9), blocks.y[k] = random(-9, 9);
-      blocks.z_low[k] = random(-20, 20), blocks.z_high[k] = blocks.z_low[k] + 5.0;
-    }
-    double low[4], high[4];
-    body.reach(blocks, low, high);
-    for (int k = 0; k < 4; ++k) {
-      const ColumnSpan span = body.column(blocks.x[k] + random(-1, 1) * blocks.half_width,
-                                          blocks.y[k] + random(-1, 1) * blocks.half_width);
-      if (span.lo >= blocks.z_high[k] || span.hi <= blocks.z_low[k]) continue;
-      ++held;
-      ASSERT_LE(low[k], span.lo) << i;
-      ASSERT_GE(high[k], span.hi) << i;
-    }
+struct CountedPiece {
+  using Spans = std::array<ColumnSpan, 2>;
+  Spans columnSpans(double x, double y) const {
+    ++asked;
+    return {ColumnSpan{x, y}, ColumnSpan{offset + x, offset + y}};
   }
-  EXPECT_GT(held, 200);
+  double offset;
+  mutable int asked = 0;
+};
+
+TEST(KeptSpans, ColumnsOfALeafAreFoundOnceForAllNumbers) {
+  const CountedPiece one{10.0}, two{20.0};
+  for (const CountedPiece* piece : {&one, &two}) {
+    const std::uint64_t id = nextPieceId();
+    for (int number = 0; number < 2; ++number) {
+      for (int c = 0; c < 64; ++c) {
+        const double x = c / 8, y = c % 8;
+        const ColumnSpan span = keptSpans(*piece, id, x, y)[static_cast<std::size_t>(number)];
+        ASSERT_EQ(span.lo, number * piece->offset + x);
+        ASSERT_EQ(span.hi, number * piece->offset + y);
+      }
+    }
+    EXPECT_EQ(piece->asked, 64);
+  }
 }
 
 }  // namespace

@@ -105,12 +105,13 @@ struct AxisView {
 
 /// What of the line is in a cylinder about the axis.
 ColumnSpan inCylinder(const AxisView& v, double wide, double low, double high) {
-  constexpr double kLevel = 1e-300;
-  const double root2 = v.turn * v.turn - v.step2 * (v.level2 - wide * wide);
-  if (!(root2 > 0.0)) return {};
+  constexpr double kNone = 1e-300, kFar = std::numeric_limits<double>::infinity();
+  const double beyond = v.level2 - wide * wide, root2 = v.turn * v.turn - v.step2 * beyond;
+  if (!(v.step2 > kNone ? root2 > 0.0 : beyond < 0.0)) return {};
   const double root = std::sqrt(root2);
-  ColumnSpan span{(-v.turn - root) / v.step2, (-v.turn + root) / v.step2};
-  if (std::abs(v.rise) < kLevel) return v.z > low && v.z < high ? span : ColumnSpan{};
+  const ColumnSpan span = v.step2 > kNone ? ColumnSpan{(-v.turn - root) / v.step2, (-v.turn + root) / v.step2}
+                                          : ColumnSpan{-kFar, kFar};
+  if (std::abs(v.rise) < kNone) return v.z > low && v.z < high ? span : ColumnSpan{};
   const double one = (low - v.z) / v.rise, other = (high - v.z) / v.rise;
   return {std::max(span.lo, std::min(one, other)), std::min(span.hi, std::max(one, other))};
 }
@@ -205,7 +206,7 @@ void LeanArc::setPlace() {
   // tool covers what is nearer than where its circles at the ends meet.
   const double least = thinnestPart(*profile), half = 0.5 * way.norm(), widest = profile->maxRadius();
   const double near = least > half ? std::sqrt(least * least - half * half) : -sagitta;
-  const Vec2 inner = -0.5 * (from + to).stableNormalized();
+  const Vec2 inner = -(from + to).stableNormalized();
   const double wide = 0.5 * (widest - near);
   notch = poseTrack(placed(from + 0.5 * (widest + near) * inner), toPart(way));
   notch_solid = {};
