@@ -116,12 +116,14 @@ struct PoseSolid {
     double alpha, beta, gamma;
     double widest;  ///< largest radius
     bool widens;    ///< upwards; told of cones only
+    /// Of a round corner: what is nearer than `corner` to a disc at this height; else 0.
+    double corner, disc, height;
   };
   struct Rim {
     double z, radius2;
   };
   int zones = 0, rims = 0;
-  bool known = false;  ///< else the zones only tell `low`, `high` and `widest`
+  bool corners = false;  ///< some zones are round corners
   Zone zone[kMost];
   Rim rim[2 * kMost];
 };
@@ -132,7 +134,8 @@ struct PoseAt {
 };
 
 /// A solid at poses that follow each other so closely that what lies between is held by them, but for what
-/// its rims pass over. Leaves out no more than that, and covers nothing else.
+/// its rims pass over. Leaves out no more than that, and covers nothing else. Solids with round corners have
+/// no straight runs.
 struct PoseRun {
   const PoseSolid* solid = nullptr;
   const PoseAt* poses = nullptr;

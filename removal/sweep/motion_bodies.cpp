@@ -216,7 +216,7 @@ void BodyMaker::addBallChords(const PosedSweep& sweep, const SolidParts::Ball& b
 void BodyMaker::addStretches(PosedSweep of, const PoseSolid& solid) {
   const SweptField& whole = store_.fields.emplace_back(std::move(of));
   const PosedSweep& sweep = *whole.posed();
-  if (solid.known && PosePiece::serves(sweep)) {
+  if (PosePiece::serves(sweep)) {
     const std::size_t first = store_.pose_pieces.size();
     for (const PosedStretch& stretch : sweep.stretches())
       PosePiece::cut(sweep, stretch, solid, store_.pose_pieces);

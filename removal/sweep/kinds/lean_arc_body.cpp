@@ -211,7 +211,7 @@ void LeanArc::setPlace() {
   notch = poseTrack(placed(from + 0.5 * (widest + near) * inner), toPart(way));
   notch_solid = {};
   notch_solid.zones = 1;
-  notch_solid.zone[0] = {profile->zMin(), profile->zMax(), 0.0, 0.0, 0.0, wide, false};
+  notch_solid.zone[0] = {profile->zMin(), profile->zMax(), 0.0, 0.0, 0.0, wide, false, 0.0, 0.0, 0.0};
 }
 
 void LeanArc::reach(int number, const FourBlocks& blocks, double* low, double* high) const {

@@ -21,7 +21,7 @@ LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& sta
                    const PoseSolid& known)
     : track(poseTrack(poseAt(start, in.axis()), end - start)),
       solid(&known),
-      has_kernel(known.known && std::abs(in.axis().z()) >= kLeastAxisRise),
+      has_kernel(!known.corners && std::abs(in.axis().z()) >= kLeastAxisRise),
       profile(&of),
       frame(in),
       from(start),

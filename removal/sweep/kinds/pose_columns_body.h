@@ -63,6 +63,60 @@ inline void poseZone(const PoseSolid::Zone& zone, double az, double z, const dou
   }
 }
 
+/// Goes on from places outside of what is nearer than `corner` to a disc, towards it: the distance is convex
+/// along the column, so that Newton's method never leaps over where it begins. `near` is below 0 where the
+/// column misses it.
+inline void enterCorner(const PoseSolid::Zone& zone, double az, double direction, const double* __restrict u,
+                        const double* __restrict w2, int n, double* __restrict at, double* __restrict near) {
+  constexpr double kEnteredMm = 1e-9;
+  constexpr int kMostSteps = 60;
+  const double disc = zone.disc, height = zone.height, corner = zone.corner;
+  for (int step = 0; step < kMostSteps; ++step) {
+    double left = 0.0;
+    for (int i = 0; i < n; ++i) {
+      const double s = at[i], h = u[i] + s * az, level = root(w2[i] + s * s - h * h);
+      const double out = most(level - disc, 0.0), up = h - height, away = root(out * out + up * up);
+      const double rate = out * (s - h * az) / most(level, kEnteredMm) + up * az;  // times `away`
+      const double beyond = away - corner;
+      const bool open = near[i] > 0.0 && beyond > kEnteredMm;
+      const bool comes = rate * direction < 0.0;
+      near[i] = open && !comes ? -1.0 : near[i];
+      at[i] = open && comes ? s - beyond * away / rate : s;
+      left = open && comes ? 1.0 : left;
+    }
+    if (left == 0.0) return;
+  }
+}
+
+/// As poseZone, of a round corner.
+inline void poseCorner(const PoseSolid::Zone& zone, double az, double z, const double* __restrict u,
+                       const double* __restrict w2, int n, double* __restrict lo, double* __restrict hi) {
+  double first[kArray], last[kArray], near_first[kArray], near_last[kArray];
+  // From a sphere around it.
+  const double wide = zone.disc + zone.corner, by_az = 1.0 / az;
+  double any = 0.0;
+  for (int i = 0; i < n; ++i) {
+    const double b = zone.height * az, c = w2[i] - 2.0 * zone.height * u[i] + zone.height * zone.height;
+    const double root2 = b * b - c + wide * wide, r = root(root2);
+    const double end1 = (zone.low - u[i]) * by_az, end2 = (zone.high - u[i]) * by_az;
+    const bool met = root2 > 0.0 && least(end1, end2) < b + r && most(end1, end2) > b - r;
+    near_first[i] = near_last[i] = met ? 1.0 : -1.0;
+    first[i] = b - r, last[i] = b + r;
+    any = most(any, near_first[i]);
+  }
+  if (any == 0.0) return;
+  enterCorner(zone, az, 1.0, u, w2, n, first, near_first);
+  for (int i = 0; i < n; ++i) near_last[i] = near_first[i];
+  enterCorner(zone, az, -1.0, u, w2, n, last, near_last);
+  for (int i = 0; i < n; ++i) {
+    const double end1 = (zone.low - u[i]) * by_az, end2 = (zone.high - u[i]) * by_az;
+    const double from = most(least(end1, end2), first[i]), to = least(most(end1, end2), last[i]);
+    const bool met = near_first[i] > 0.0 && near_last[i] > 0.0 && from <= to;
+    lo[i] = met ? least(lo[i], z + from) : lo[i];
+    hi[i] = met ? most(hi[i], z + to) : hi[i];
+  }
+}
+
 /// The flat sides that a cylinder leaves on a straight way that is not along its axis.
 inline void cylinderSides(const PoseSolid::Zone& zone, const proveout::PoseAt& a, const proveout::PoseAt& b,
                           const double* __restrict x, const double* __restrict y, int n,
@@ -162,7 +216,9 @@ void poseColumns(const PoseRun& run, const double* x, const double* y, int count
     }
     const double level2 = pose.ax * pose.ax + pose.ay * pose.ay;
     for (int k = 0; k < solid.zones; ++k) {
-      if (isCylinder(solid.zone[k]) && level2 > kLeastLean) {
+      if (solid.zone[k].corner > 0.0) {
+        poseCorner(solid.zone[k], pose.az, pose.z, u, w2, n, lo, hi);
+      } else if (isCylinder(solid.zone[k]) && level2 > kLeastLean) {
         poseCylinder(solid.zone[k], pose.az, level2, pose.z, u, w2, n, lo, hi);
       } else {
         poseZone(solid.zone[k], pose.az, pose.z, u, w2, n, lo, hi);

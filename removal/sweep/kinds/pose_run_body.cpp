@@ -44,7 +44,6 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
   const double wide = 2.0 * (last - first) / count, reach = farthestFromTip(part);
   bounds_ = bounds_.inflated((stretch.tip[1] + reach * stretch.axis[1]) * wide * wide / 8.0 + kTrackMm);
   between_ = stretch.mostShift(reach) * static_cast<double>(last - first) / count;
-  tracks_ = {poseTrack(poses_.front(), Vec3::Zero()), poseTrack(poses_.back(), Vec3::Zero())};
 }
 
 }  // namespace proveout

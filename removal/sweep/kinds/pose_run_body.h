@@ -32,8 +32,12 @@ class PosePiece {
             int count);
 
   PoseRun run() const { return {solid_, poses_.data(), static_cast<int>(poses_.size())}; }
-  PoseSpan span() const {
-    return {solid_, tracks_.data(), 2, between_, bounds_.min.data(), bounds_.max.data()};
+  /// The poses at the ends; kept they would take more memory than all else.
+  std::array<PoseTrack, 2> ends() const {
+    return {poseTrack(poses_.front(), Vec3::Zero()), poseTrack(poses_.back(), Vec3::Zero())};
+  }
+  PoseSpan span(const std::array<PoseTrack, 2>& of_ends) const {
+    return {solid_, of_ends.data(), 2, between_, bounds_.min.data(), bounds_.max.data()};
   }
   const Box3& bounds() const { return bounds_; }
   double middleShare() const { return share_; }
@@ -45,7 +49,6 @@ class PosePiece {
 
   Box3 bounds_;
   double between_;  ///< no point of the tool is ever farther from where it is at one of the ends, mm
-  std::array<PoseTrack, 2> tracks_;  ///< at the ends
   const PoseSolid* solid_;
   std::vector<PoseAt> poses_;
   double share_;  ///< of the motion, in its middle
@@ -61,10 +64,10 @@ struct PoseRunBody : BodyDefaults {
   }
   void leafColumns(LeafColumns& leaf, unsigned quarters) const { columnsOfQuarters(*this, leaf, quarters); }
   void reach(const FourBlocks& blocks, double* low, double* high) const {
-    columnKernels().pose_reach(piece->span(), blocks, low, high);
+    columnKernels().pose_reach(piece->span(piece->ends()), blocks, low, high);
   }
   unsigned hits(const LeafColumns& leaf, unsigned quarters, double) const {
-    return columnKernels().pose_hits(piece->span(), leaf, quarters);
+    return columnKernels().pose_hits(piece->span(piece->ends()), leaf, quarters);
   }
   double highestReach() const { return piece->bounds().max.z() + kCullSlackMm; }
   double startAt(const BodyContext&, const Vec3&) const { return piece->middleShare(); }

@@ -31,17 +31,39 @@ double farthestFromTip(const ConvexProfile& profile) {
   return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
 }
 
+/// Whether there is no edge between an element and the next.
+static bool goesOnSmoothly(const ConvexProfile& profile, int i) {
+  constexpr double kSmooth = 1e-9;
+  if (i + 1 >= profile.elementCount()) return false;
+  const auto normal = [&](const ConvexProfile::Element& e) {
+    if (!e.arc) return Vec2(e.dz, -e.dr);
+    const ConvexProfile::Element& one = profile.element(i);
+    return Vec2(Vec2(one.br - e.cr, one.bz - e.cz) / e.radius);
+  };
+  return (normal(profile.element(i)) - normal(profile.element(i + 1))).norm() < kSmooth;
+}
+
 PoseSolid poseSolid(const ConvexProfile& profile) {
   PoseSolid solid;
-  solid.known = true;
   for (int i = 0; i < profile.elementCount(); ++i) {
     const ConvexProfile::Element& e = profile.element(i);
-    if (e.arc && e.cr != 0.0) solid.known = false;
-    if (e.br > 0.0) solid.rim[solid.rims++] = {e.bz, e.br * e.br};
+    if (e.br > 0.0 && !goesOnSmoothly(profile, i)) solid.rim[solid.rims++] = {e.bz, e.br * e.br};
     if (!e.arc && e.dz == 0.0) continue;
     PoseSolid::Zone& zone = solid.zone[solid.zones++];
-    zone = {std::min(e.az, e.bz), std::max(e.az, e.bz), 0.0, 0.0, 0.0, std::max(e.ar, e.br), false};
-    if (e.arc) {
+    zone = {std::min(e.az, e.bz),
+            std::max(e.az, e.bz),
+            0.0,
+            0.0,
+            0.0,
+            std::max(e.ar, e.br),
+            false,
+            0.0,
+            0.0,
+            0.0};
+    if (e.arc && e.cr != 0.0) {
+      zone.corner = e.radius, zone.disc = e.cr, zone.height = e.cz;
+      solid.corners = true;
+    } else if (e.arc) {
       zone.alpha = e.radius * e.radius - e.cz * e.cz, zone.beta = 2.0 * e.cz, zone.gamma = -1.0;
     } else {
       const double k = e.dr / e.dz, at_tip = e.ar - k * e.az;

@@ -10,7 +10,7 @@ namespace proveout {
 /// A tool whose axis rises less leaves rims that the kernels do not follow.
 inline constexpr double kLeastAxisRise = 0.25;
 
-/// What the kernels know of a profile; not its faces where it has round corners.
+/// What the kernels know of a profile.
 PoseSolid poseSolid(const ConvexProfile& profile);
 
 inline PoseAt poseAt(const Vec3& tip, const Vec3& axis) {
