@@ -19,9 +19,10 @@ namespace proveout::test {
 /// A job but for its machine, in the sections of its file. One tool, of number 1 and the length kGauge.
 struct FiveAxisJob {
   static constexpr double kGauge = 80.0;
-  std::string stock;  ///< keys of [stock]
-  std::string tool;   ///< keys of [[tool]] beside its number and length
-  std::string more = {};
+  std::string stock;       ///< keys of [stock]
+  std::string tool;        ///< keys of [[tool]] beside its number and length
+  std::string more = {};   ///< tables of the file
+  std::string blank = {};  ///< a mesh for `stock`, as blank.obj
   double resolution = 0.5;
 };
 
@@ -53,6 +54,7 @@ inline MachinedPart machined(const FiveAxisJob& job, const std::string& machine,
   const Workbench bench;
   const auto number = [](double value) { return std::to_string(value); };
   bench.write("part.nc", program);
+  if (!job.blank.empty()) bench.write("blank.obj", job.blank);
   bench.write("job.toml", "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n" +
                               job.more + "[machine]\nfile = \"" + PROVEOUT_SOURCE_DIR + "/parts/machines/" +
                               machine + "\"\n[stock]\n" + job.stock + "\n[[tool]]\nnumber = 1\n" + job.tool +
