@@ -24,6 +24,7 @@ struct FiveAxisJob {
   std::string more = {};   ///< tables of the file
   std::string blank = {};  ///< a mesh for `stock`, as blank.obj
   double resolution = 0.5;
+  std::string machine = {};  ///< text of a machine file of its own, in place of one of parts/machines
 };
 
 /// Machine files, and where the part lies on them: on tables in the middle, some way above.
@@ -55,14 +56,16 @@ inline MachinedPart machined(const FiveAxisJob& job, const std::string& machine,
   const auto number = [](double value) { return std::to_string(value); };
   bench.write("part.nc", program);
   if (!job.blank.empty()) bench.write("blank.obj", job.blank);
-  bench.write("job.toml", "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n" +
-                              job.more + "[machine]\nfile = \"" + PROVEOUT_SOURCE_DIR + "/parts/machines/" +
-                              machine + "\"\n[stock]\n" + job.stock + "\n[[tool]]\nnumber = 1\n" + job.tool +
-                              "\ngauge_length = " + number(FiveAxisJob::kGauge) +
-                              "\n[offsets.work]\nG54 = [" + number(zero.x()) + ", " + number(zero.y()) +
-                              ", " + number(zero.z()) +
-                              "]\n[offsets.length]\n1 = " + number(FiveAxisJob::kGauge) +
-                              "\n[simulation]\nsimplify = 0\nresolution = " + number(job.resolution) + "\n");
+  if (!job.machine.empty()) bench.write("machine.toml", job.machine);
+  const std::string file =
+      job.machine.empty() ? std::string(PROVEOUT_SOURCE_DIR) + "/parts/machines/" + machine : "machine.toml";
+  bench.write("job.toml",
+              "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n" + job.more +
+                  "[machine]\nfile = \"" + file + "\"\n[stock]\n" + job.stock + "\n[[tool]]\nnumber = 1\n" +
+                  job.tool + "\ngauge_length = " + number(FiveAxisJob::kGauge) + "\n[offsets.work]\nG54 = [" +
+                  number(zero.x()) + ", " + number(zero.y()) + ", " + number(zero.z()) +
+                  "]\n[offsets.length]\n1 = " + number(FiveAxisJob::kGauge) +
+                  "\n[simulation]\nsimplify = 0\nresolution = " + number(job.resolution) + "\n");
   const Outcome outcome = bench.run("run job.toml --no-render --out out");
   MachinedPart part;
   part.exit_code = outcome.exit_code;

@@ -13,6 +13,7 @@
 #include "tests/support/golden_section.h"
 
 namespace proveout::test {
+namespace machine_independence {
 namespace {
 
 /// Parts of two machines are one, mm: room for single precision and what sweeps are off.
@@ -194,4 +195,5 @@ TEST(MachineIndependence, WithoutShankControlTheMachineShows) {
 }
 
 }  // namespace
+}  // namespace machine_independence
 }  // namespace proveout::test

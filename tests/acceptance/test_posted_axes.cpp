@@ -10,6 +10,7 @@
 #include "five_axis_jobs.h"
 
 namespace proveout::test {
+namespace posted_axes {
 namespace {
 
 constexpr double kGauge = FiveAxisJob::kGauge, kStepDegrees = 0.1;
@@ -171,4 +172,5 @@ TEST_P(PostedAxes, DifferByTheirChords) {
 INSTANTIATE_TEST_SUITE_P(TrunnionAndHead, PostedAxes, testing::Range(0, 2));
 
 }  // namespace
+}  // namespace posted_axes
 }  // namespace proveout::test

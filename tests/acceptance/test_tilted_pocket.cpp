@@ -12,6 +12,7 @@
 #include "five_axis_jobs.h"
 
 namespace proveout::test {
+namespace tilted_pocket {
 namespace {
 
 const Vec3 kLow(-30, -20, -20), kHigh(30, 20, 0);
@@ -128,4 +129,5 @@ TEST_P(TiltedPocket, HasTheFacesOfItsUprightTwin) {
 INSTANTIATE_TEST_SUITE_P(Machines, TiltedPocket, testing::Range(std::size_t{0}, kMachines));
 
 }  // namespace
+}  // namespace tilted_pocket
 }  // namespace proveout::test
