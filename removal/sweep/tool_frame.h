@@ -31,8 +31,8 @@ class ToolFrame {
   /// Of points and directions alike.
   Vec3 toTool(const Vec3& v) const { return turn_.transpose() * v; }
   Vec3 toPart(const Vec3& v) const { return turn_ * v; }
-  /// Of a way. What goes along the tool's axis does so to the last digit, and what goes across it: sweeps tell
-  /// such ways by that.
+  /// Of a way. What goes along the tool's axis does so to the last digit, and what goes across it: sweeps
+  /// tell such ways by that.
   Vec3 wayToTool(const Vec3& way) const {
     Vec3 v = toTool(way);
     const double aside = v.head<2>().norm(), along = std::abs(v.z());
