@@ -24,15 +24,13 @@ struct Block {
   Vec3 from, to;
   double first_from, second_from, first_to, second_to;
 };
-/// A machine by its equations: the digest of its chain, written for this test.
+/// A machine by its equations, written for this test.
 struct Posting {
   const char* machine;
   Vec3 zero;
   const char *first, *second;
   /// Where the axes are, from the zero, with a tip in the workpiece frame.
   Vec3 (*axes)(const Vec3& zero, const Vec3& tip, double first, double second);
-  /// The tool's direction in the workpiece frame.
-  Vec3 (*direction)(double first, double second);
   /// Tip in the workpiece frame, of axes from the zero.
   Vec3 (*tip)(const Vec3& zero, const Vec3& axes, double first, double second);
 };
@@ -53,10 +51,6 @@ Vec3 trunnionTip(const Vec3& zero, const Vec3& axes, double a, double c) {
   const Vec3 at = axes - Vec3(0, 0, kGauge) + zero;
   return m2 * (m1 * (at - kTrunnion) - kTable) - (zero - kTrunnion - kTable);
 }
-Vec3 trunnionDirection(double a, double c) {
-  return about(Vec3::UnitZ(), c) * (about(Vec3::UnitX(), a) * Vec3::UnitZ());
-}
-
 // Head: C carries B, both through a point 150 mm above the gauge point.
 const Vec3 kPivot(0, 0, 150);
 Vec3 headDirection(double c, double b) {
@@ -96,9 +90,9 @@ class PostedAxes : public testing::TestWithParam<int> {};
 
 TEST_P(PostedAxes, DifferByTheirChords) {
   const bool head = GetParam() == 1;
-  const Posting on = head ? Posting{"head_cb.toml", Vec3::Zero(), "C", "B", headAxes, headDirection, headTip}
-                          : Posting{"trunnion_ac.toml", Vec3(405, 297, -430), "A",        "C",
-                                    trunnionAxes,       trunnionDirection,    trunnionTip};
+  const Posting on =
+      head ? Posting{"head_cb.toml", Vec3::Zero(), "C", "B", headAxes, headTip}
+           : Posting{"trunnion_ac.toml", Vec3(405, 297, -430), "A", "C", trunnionAxes, trunnionTip};
   // Through a block, the tool swinging on the way.
   const Block block{{-30, 4, -8},        {30, -3, -9},       head ? -60.0 : 20.0,
                     head ? 20.0 : -30.0, head ? 10.0 : 38.0, head ? 38.0 : 10.0};
