@@ -8,7 +8,10 @@ namespace {
 
 Sweep innerSweep(const ConvexProfile& profile, const ToolFrame& frame, const Vec3& from, const Vec3& to,
                  const ArcGeometry* arc) {
-  if (arc == nullptr) return {profile, frame.toTool(from), frame.toTool(to), nullptr};
+  if (arc == nullptr) {
+    const Vec3 start = frame.toTool(from);
+    return {profile, start, start + frame.wayToTool(to - from), nullptr};
+  }
   const ArcGeometry turned = frame.toTool(*arc);
   return {profile, frame.toTool(from), frame.toTool(to), &turned};
 }

@@ -54,6 +54,7 @@ void PosedSearch::look(const PosedStretch& stretch, std::size_t number, double s
   bend_ = turn2 * r + 2.0 * a1 * v1 + v2;
   third_ = (a1 * a1 * a1 + 5.0 * a1 * a2 + a3) * r + 3.0 * turn2 * v1 + 3.0 * a1 * v2 + v3;
   open_count_ = 0;
+  centre_up_ = -std::numeric_limits<double>::infinity();
   settle(-1.0, 1.0, start);
   if (!isOver()) divide();
 }
@@ -98,10 +99,27 @@ PosedSearch::Pose PosedSearch::pose(double t) {
   return pose;
 }
 
+/// Most lengths of the first three derivatives of the point so high above the tip. By its own polynomial: a
+/// tool that turns about the middle of its ball leaves that where it is, and bounds by those of tip and axis
+/// would let no search end.
+const std::array<double, 3>& PosedSearch::centreBounds(double up) {
+  if (centre_up_ == up) return centre_;
+  centre_up_ = up;
+  centre_ = {};
+  for (int k = 1; k <= PosedStretch::kDegree; ++k) {
+    const PosedStretch::Row& row = stretch_->rows[static_cast<std::size_t>(k)];
+    const double size = (row.head<3>() + up * row.tail<3>()).matrix().norm();
+    centre_[0] += k * size;
+    centre_[1] += k * (k - 1) * size;
+    centre_[2] += k * (k - 1) * (k - 2) * size;
+  }
+  return centre_;
+}
+
 /// What is known where the nearest element is an arc: while the point stays in its sector the distance is
 /// that from its centre.
 void PosedSearch::addRound(const ProfileSample& s, double rho, double z, double rho_rate, double z_rate,
-                           const PosedStretch::Moving& m, Pose& to) const {
+                           const PosedStretch::Moving& m, Pose& to) {
   const ConvexProfile::Element& e = profile_.element(s.element - profile_.firstElementId());
   if (!e.arc) return;
   const double x = rho - e.cr, y = z - e.cz;
@@ -120,12 +138,12 @@ void PosedSearch::addRound(const ProfileSample& s, double rho, double z, double 
     const Vec3 rate = m.first.head<3>() + e.cz * m.first.tail<3>(),
                bend = m.second.head<3>() + e.cz * m.second.tail<3>();
     const double distance = std::max(from.norm(), kLeastRadius), toward = from.dot(rate) / distance;
-    const double across2 = std::max(0.0, rate.squaredNorm() - toward * toward), up = std::abs(e.cz);
+    const double across2 = std::max(0.0, rate.squaredNorm() - toward * toward);
+    const auto& [speed, acceleration, third] = centreBounds(e.cz);
     bound.k = -from.dot(bend) / distance;
-    bound.third = stretch_->tip[2] + up * stretch_->axis[2];
-    bound.speed = stretch_->tip[0] + up * stretch_->axis[0];
-    bound.round[0] = {across2, 3.0 * std::sqrt(across2) * (stretch_->tip[1] + up * stretch_->axis[1]),
-                      distance};
+    bound.third = third;
+    bound.speed = speed;
+    bound.round[0] = {across2, 3.0 * std::sqrt(across2) * acceleration, distance};
   } else {
     const double beside = std::abs(s.gr * z_rate - s.gz * rho_rate);
     bound.round[1] = {beside * beside, 3.0 * beside * (bend_ + 2.0 * speed_ * speed_ / rho), radius};

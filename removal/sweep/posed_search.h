@@ -68,8 +68,9 @@ class PosedSearch {
   static constexpr int kMostNewton = 24, kMostPieces = 96, kMostPoses = 20000;
 
   Pose pose(double t);
+  const std::array<double, 3>& centreBounds(double up);
   void addRound(const ProfileSample& s, double rho, double z, double rho_rate, double z_rate,
-                const PosedStretch::Moving& m, Pose& to) const;
+                const PosedStretch::Moving& m, Pose& to);
   double reach(const Pose& from, double direction, double most) const;
   double reachBy(const Pose& from, const Bound& bound, double slope, double most) const;
   void settle(double low, double high, double start);
@@ -87,6 +88,8 @@ class PosedSearch {
   const PosedStretch* stretch_ = nullptr;
   std::size_t number_ = 0;
   double speed_ = 0.0, bend_ = 0.0, third_ = 0.0;
+  std::array<double, 3> centre_{};  ///< the same of a ball's centre; see centreBounds
+  double centre_up_ = 0.0;          ///< of which height above the tip; infinite: of none yet
   std::array<Piece, kMostPieces> open_;
   int open_count_ = 0;
 };

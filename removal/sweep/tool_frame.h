@@ -13,6 +13,9 @@ namespace proveout {
 
 /// An axis this near to +z is upright: rounding of a chain of rotary axes.
 inline constexpr double kUprightAxis = 1e-12;
+/// A way this near to the tool's axis, or to a plane across it, goes along it or in that plane: rounding of
+/// the frames that a program is turned through. Share of the way, which may be short.
+inline constexpr double kAlongAxis = 1e-9;
 
 class ToolFrame {
  public:
@@ -28,6 +31,15 @@ class ToolFrame {
   /// Of points and directions alike.
   Vec3 toTool(const Vec3& v) const { return turn_.transpose() * v; }
   Vec3 toPart(const Vec3& v) const { return turn_ * v; }
+  /// Of a way. What goes along the tool's axis does so to the last digit, and what goes across it: sweeps
+  /// tell such ways by that.
+  Vec3 wayToTool(const Vec3& way) const {
+    Vec3 v = toTool(way);
+    const double aside = v.head<2>().norm(), along = std::abs(v.z());
+    if (aside <= kAlongAxis * along) v.head<2>().setZero();
+    if (along <= kAlongAxis * aside) v.z() = 0.0;
+    return v;
+  }
   Vec3 axis() const { return turn_.col(2); }  ///< unit, workpiece frame
   ArcGeometry toTool(const ArcGeometry& arc) const {
     ArcGeometry out{toTool(arc.center), toTool(arc.normal), arc.sweep_rad};

@@ -310,8 +310,8 @@ bool isMergedInto(std::span<const SheetPoint> points, std::uint64_t face, std::u
   const ExactFaces::Source of = exact.source(face), to = exact.source(other);
   if (to.isShown()) return false;
   if (exact.areTangentNeighbours(face, other)) return !to.simple || (of.simple && to.bend >= of.bend);
-  return exact.areOfOneCone(face, other) && !meetInRidge(points, face, other) &&
-         areAllOnBody(points, face, to.body, exact);
+  return (exact.areOfOneCone(face, other) || exact.areOfLeaningCylinder(face, other)) &&
+         !meetInRidge(points, face, other) && areAllOnBody(points, face, to.body, exact);
 }
 
 /// With one body alone its elements stay apart: the volume asks for their curvature, which changes from one

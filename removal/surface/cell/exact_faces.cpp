@@ -223,6 +223,10 @@ bool ExactFaces::areOfOneCylinder(std::uint64_t face, std::uint64_t other) const
   return e != nullptr && e->dr == 0.0;
 }
 
+bool ExactFaces::areOfLeaningCylinder(std::uint64_t face, std::uint64_t other) const {
+  return areOfOneCylinder(face, other) && std::abs(passOf(face)->body.axis().z()) < 1.0 - kFaceSlack;
+}
+
 bool ExactFaces::areTangentNeighbours(std::uint64_t face, std::uint64_t other) const {
   if (motionOf(face) != motionOf(other) || ((face | other) & ConvexProfile::kEdgeIds) != 0) return false;
   const int a = elementOf(face), b = elementOf(other);

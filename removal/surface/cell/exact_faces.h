@@ -99,6 +99,9 @@ class ExactFaces {
   bool areOfOneCone(std::uint64_t face, std::uint64_t other) const;
   /// The same of an upright element: cylinders and walls that they swept.
   bool areOfOneCylinder(std::uint64_t face, std::uint64_t other) const;
+  /// The same where the tool leans: the grid's lines meet such a wall in no regular way, so that pieces of it
+  /// one below the other seem to face apart.
+  bool areOfLeaningCylinder(std::uint64_t face, std::uint64_t other) const;
   /// As SweptBody::directionAt; `q` in units of the cell. Requires a body that a pass made.
   Vec3 directionAt(std::int64_t body, const Vec3& q) const;
   /// Which part of a sweep made a face with this normal (out of the material) at `q` (in units of the cell):

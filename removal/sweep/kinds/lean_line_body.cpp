@@ -10,9 +10,6 @@ namespace proveout {
 
 namespace {
 
-/// A way this near to the tool's axis is one along it, by the part of it that is not.
-constexpr double kAlongAxis = 1e-9;
-
 ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + by}; }
 
 }  // namespace
@@ -26,7 +23,7 @@ LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& sta
       frame(in),
       from(start),
       to(end),
-      way(in.toTool(end - start)) {
+      way(in.wayToTool(end - start)) {
   const Box3 tool = leaningBounds(of, frame);
   bounds = {start.cwiseMin(end) + tool.min, start.cwiseMax(end) + tool.max};
 }
@@ -58,9 +55,8 @@ std::optional<double> LeanLineBody::simpleBend(const ConvexProfile::Element& e) 
 }
 
 Vec3 LeanLineBody::directionAt(const Vec3&) const {
-  const double length = line->way.norm();
-  if (!(line->way.head<2>().norm() > kAlongAxis * length)) return Vec3::Zero();
-  return (line->to - line->from) / length;
+  if (line->way.head<2>().isZero(0.0)) return Vec3::Zero();
+  return (line->to - line->from) / line->way.norm();
 }
 
 SweptField LeanLineBody::field(const BodyContext& of) const {
