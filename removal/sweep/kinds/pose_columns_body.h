@@ -68,7 +68,7 @@ inline void poseZone(const PoseSolid::Zone& zone, double az, double z, const dou
 /// column misses it.
 inline void enterCorner(const PoseSolid::Zone& zone, double az, double direction, const double* __restrict u,
                         const double* __restrict w2, int n, double* __restrict at, double* __restrict near) {
-  constexpr double kEnteredMm = 1e-9;
+  constexpr double kEnteredMm = 1e-8;
   constexpr int kMostSteps = 60;
   const double disc = zone.disc, height = zone.height, corner = zone.corner;
   for (int step = 0; step < kMostSteps; ++step) {
@@ -99,9 +99,9 @@ inline void poseCorner(const PoseSolid::Zone& zone, double az, double z, const d
     const double b = zone.height * az, c = w2[i] - 2.0 * zone.height * u[i] + zone.height * zone.height;
     const double root2 = b * b - c + wide * wide, r = root(root2);
     const double end1 = (zone.low - u[i]) * by_az, end2 = (zone.high - u[i]) * by_az;
-    const bool met = root2 > 0.0 && least(end1, end2) < b + r && most(end1, end2) > b - r;
-    near_first[i] = near_last[i] = met ? 1.0 : -1.0;
-    first[i] = b - r, last[i] = b + r;
+    // What lies beyond the zone is not asked for: a place inside is an end then.
+    first[i] = most(b - r, least(end1, end2)), last[i] = least(b + r, most(end1, end2));
+    near_first[i] = root2 > 0.0 && first[i] < last[i] ? 1.0 : -1.0;
     any = most(any, near_first[i]);
   }
   if (any == 0.0) return;
@@ -109,11 +109,9 @@ inline void poseCorner(const PoseSolid::Zone& zone, double az, double z, const d
   for (int i = 0; i < n; ++i) near_last[i] = near_first[i];
   enterCorner(zone, az, -1.0, u, w2, n, last, near_last);
   for (int i = 0; i < n; ++i) {
-    const double end1 = (zone.low - u[i]) * by_az, end2 = (zone.high - u[i]) * by_az;
-    const double from = most(least(end1, end2), first[i]), to = least(most(end1, end2), last[i]);
-    const bool met = near_first[i] > 0.0 && near_last[i] > 0.0 && from <= to;
-    lo[i] = met ? least(lo[i], z + from) : lo[i];
-    hi[i] = met ? most(hi[i], z + to) : hi[i];
+    const bool met = near_last[i] > 0.0 && first[i] <= last[i];
+    lo[i] = met ? least(lo[i], z + first[i]) : lo[i];
+    hi[i] = met ? most(hi[i], z + last[i]) : hi[i];
   }
 }
 
