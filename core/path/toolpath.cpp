@@ -133,9 +133,21 @@ double largestInTurn(const ArcFrame& f, const ArcGeometry& arc, int axis, double
   return std::max(refined, value(a + step * best));
 }
 
+/// Whether the coordinate only grows or only falls along the arc, for sure: its derivative in the middle is
+/// more than it can change by up to the ends.
+bool isMonotonic(const ArcFrame& f, const ArcGeometry& arc, int axis) {
+  const double sweep = arc.sweep_rad, growth = f.radius_end - f.radius_start;
+  const double radius = f.radius_start + 0.5 * growth, c = std::cos(0.5 * sweep), s = std::sin(0.5 * sweep);
+  const double rate = growth * (f.u[axis] * c + f.v[axis] * s) +
+                      radius * sweep * (f.v[axis] * c - f.u[axis] * s) + f.n[axis] * f.rise;
+  const double most = 2.0 * std::abs(growth * sweep) + std::max(f.radius_start, f.radius_end) * sweep * sweep;
+  return std::abs(rate) > 0.5 * most;
+}
+
 /// Spirals and helices that rise in the coordinate. At a given phase the coordinate is linear in the number
 /// of the turn, so that every extreme lies in the first turn or in the last.
 void extendBySpiral(Box3& box, const ArcFrame& f, const ArcGeometry& arc, int axis) {
+  if (isMonotonic(f, arc, axis)) return;  // the ends are in the box
   const double turn = std::min(1.0, 2 * kPi / std::max(std::abs(arc.sweep_rad), 1e-12));
   for (const double start : {0.0, 1.0 - turn}) {
     const double end = std::min(1.0, start + turn);

@@ -83,7 +83,7 @@ PoseTrack poseTrack(const PoseAt& a, const Vec3& way) {
   const Vec2 toward = level > kUpright ? Vec2(axis.head<2>() / level) : Vec2(1.0, 0.0);
   const Vec3 p(toward.x() * a.az, toward.y() * a.az, -level), q(-toward.y(), toward.x(), 0.0);
   const double way_p = way.dot(p), way_q = way.dot(q), way_h = way.dot(axis),
-               length = std::hypot(way_p, way_q);
+               length = std::sqrt(way_p * way_p + way_q * way_q);
   PoseTrack track;
   track.at = a, track.level = level;
   track.px = p.x(), track.py = p.y(), track.qx = q.x(), track.qy = q.y();
