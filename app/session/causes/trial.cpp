@@ -1,6 +1,7 @@
 #include "app/session/causes/trial.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/session/machining/machining.h"
 #include "app/session/programs/first_offset.h"
@@ -8,8 +9,11 @@
 #include "app/session/programs/rotary_motions.h"
 #include "app/session/run/process.h"
 #include "core/mesh/signed_distance.h"
+#include "core/tool/tool_solid.h"
 #include "core/tool/tool_table.h"
+#include "core/tool/tool_type.h"
 #include "removal/exact/swept_part.h"
+#include "removal/sweep/motion_bodies.h"
 #include "removal/sweep/tool_frame.h"
 
 namespace proveout {
@@ -35,23 +39,56 @@ double reachOf(const std::vector<Tool>& tools, int number) {
   return tool == nullptr || tool->insert ? 0.0 : 0.5 * tool->diameter;
 }
 
-/// The motions of a path whose tools may come to a box. Downwards a tool takes what is above its tip.
+/// Which motions come to a box.
+class NearMotions {
+ public:
+  NearMotions(const Toolpath& path, const std::vector<Tool>& tools, const Box3& box)
+      : path_(path), tools_(tools), box_(box) {}
+
+  bool isNear(const Motion& motion) {
+    const MotionWay way = wayOf(path_, motion);
+    const Box3 tip = path_.bounds(motion);
+    if (way.leans() || way.turns()) {
+      const std::vector<ConvexProfile>& cutter = cutterOf(motion.tool);
+      return std::any_of(cutter.begin(), cutter.end(), [&](const ConvexProfile& part) {
+        return partBounds(part, way, tip, 0.0).overlaps(box_);
+      });
+    }
+    // Downwards a tool takes what is above its tip.
+    Box3 swept = tip.inflated(reachOf(tools_, motion.tool));
+    swept.max.z() = std::max(swept.max.z(), box_.max.z());
+    return swept.overlaps(box_);
+  }
+
+ private:
+  /// What cuts of a tool; nothing of one that does not turn.
+  const std::vector<ConvexProfile>& cutterOf(int number) {
+    const auto [at, fresh] = cutters_.try_emplace(number);
+    const Tool* const tool = fresh ? ToolTable(tools_).ofMotion(number) : nullptr;
+    if (tool != nullptr && rowOf(tool->type).rotates) at->second = makeToolSolid(*tool).cutter;
+    return at->second;
+  }
+
+  const Toolpath& path_;
+  const std::vector<Tool>& tools_;
+  const Box3& box_;
+  std::map<int, std::vector<ConvexProfile>> cutters_;  ///< by number of the tool
+};
+
+/// The motions of a path whose tools may come to a box.
 Toolpath near(const Toolpath& path, const std::vector<Tool>& tools, const Box3& box) {
   Toolpath out;
+  NearMotions motions(path, tools, box);
   for (const Motion& motion : path.motions) {
-    const double reach = reachOf(tools, motion.tool);
-    Box3 swept = path.bounds(motion).inflated(reach);
-    swept.max.z() = std::max(swept.max.z(), box.max.z());
-    const MotionWay way = wayOf(path, motion);
-    const bool upright = !way.leans() && !way.turns();
-    if (upright && !swept.overlaps(box)) continue;
+    if (!motions.isNear(motion)) continue;
     Motion kept = motion;
     if (motion.arc >= 0) {
       kept.arc = static_cast<std::int32_t>(out.arcs.size());
       out.arcs.push_back(path.arcs[static_cast<std::size_t>(motion.arc)]);
     }
     kept.axis = -1;
-    if (!upright) {
+    const MotionWay way = wayOf(path, motion);
+    if (way.leans() || way.turns()) {
       kept.axis = static_cast<std::int32_t>(out.axes.size());
       out.axes.push_back(*way.axis);
     }
