@@ -28,6 +28,9 @@ struct TrialBench::Changed {
 
 namespace {
 
+/// What a trial takes besides its motions, in motions.
+constexpr double kSweptSize = 1500.0, kMachinedSize = 800.0;
+
 bool measures(const Toolpath& path) {
   return std::any_of(path.motions.begin(), path.motions.end(),
                      [](const Motion& motion) { return motion.kind == MotionKind::kProbe; });
@@ -136,13 +139,34 @@ TrialBench::TrialBench(const Job& job, const RunSources& sources, const Blank& b
   swept_ = swept_ && !run.isOfFacets();
 }
 
-std::size_t TrialBench::worthwhile() const {
+double trialSize(const Toolpath& path) {
+  // Of motions that turn the tool some 40 take as long as 1,600 others: parts/cone_frustum with a wrong
+  // parameter.
+  constexpr double kTurning = 40.0;
+  double size = 0.0;
+  for (const Motion& motion : path.motions) size += wayOf(path, motion).turns() ? kTurning : 1.0;
+  return size;
+}
+
+/// Of all clampings, one of which may be changed.
+double TrialBench::sizeWith(const Changed* changed) const {
+  double size = swept_ ? kSweptSize : kMachinedSize;
+  for (std::size_t k = 0; k < run_.setups.size(); ++k) {
+    const bool other = changed != nullptr && changed->setup == k;
+    size += trialSize(other ? changed->interpreted.path : run_.setups[k].interpreted.path);
+  }
+  return size;
+}
+
+TrialBudget TrialBench::budget() const {
   std::size_t motions = 0;
   for (const SetupRun& setup : run_.setups) motions += setup.interpreted.path.motions.size();
-  // A program of 75 motions is tried in 2 ms near its samples, one of 100,000 in a third of its run.
-  const double swept = 3e5 / (static_cast<double>(motions) + 1500.0);
-  const double machined = 2e4 / (static_cast<double>(motions) + 800.0);
-  return static_cast<std::size_t>(swept_ ? std::clamp(swept, 2.0, 150.0) : std::clamp(machined, 2.0, 24.0));
+  // A program of 75 motions is tried in 2 ms near its samples, one of 100,000 in a third of its run. Where
+  // tools turn the run takes longer as well.
+  const double swept = 3e5 / (static_cast<double>(motions) + kSweptSize);
+  const double machined = 2e4 / (static_cast<double>(motions) + kMachinedSize);
+  const double trials = swept_ ? std::clamp(swept, 2.0, 150.0) : std::clamp(machined, 2.0, 24.0);
+  return {static_cast<std::size_t>(trials), sizeWith(nullptr)};
 }
 
 std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) const {
@@ -190,10 +214,11 @@ std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::v
 }
 
 std::vector<double> TrialBench::deviations(const Trial& trial, const std::vector<Vec3>& samples,
-                                           double reach_mm) const {
+                                           double reach_mm, TrialBudget& budget) const {
   if (!works_ || progress_.cancelled()) return {};
+  budget.takeOne();
   const std::optional<Changed> changed = changedSetup(trial);
-  if (!changed) return {};
+  if (!changed || !budget.takeRest(sizeWith(&*changed))) return {};
   return swept_ ? ofSweptPart(&*changed, samples, reach_mm) : machinedAgain(*changed, samples, reach_mm);
 }
 
