@@ -154,6 +154,11 @@ std::string causeNote(const Cause& cause) {
   return (cause.left_mm == 0.0 ? "cause: " : "could be ") + causeLine(cause);
 }
 
+std::string untriedNote(const Finding& finding) {
+  return fmt::format("{} more {} not tried: trials took about as much as the run itself", finding.untried_causes,
+                     finding.untried_causes == 1 ? "word or datum was" : "words and data were");
+}
+
 std::string blocksLine(const Finding& finding, std::size_t most) {
   std::string out;
   for (std::size_t i = 0; i < std::min(most, finding.blocks.size()); ++i) {

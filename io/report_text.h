@@ -36,8 +36,8 @@ std::string place(const Finding& finding);
 /// One line: place, severity, kind, message and figures.
 std::string summaryLine(const Finding& finding);
 
-/// What was accepted of the findings, a line each: "3 known of baseline.json, 1 gone". None where nothing was said
-/// of it.
+/// What was accepted of the findings, a line each: "3 known of baseline.json, 1 gone". None where nothing was
+/// said of it.
 std::vector<std::string> acceptanceLines(const ReportAcceptance& acceptance);
 /// An entry of a baseline that no finding stands for: "plate.nc:40: gouge: 0.35 mm below nominal ...".
 std::string goneLine(const KnownFinding& known);
@@ -46,6 +46,8 @@ std::string goneLine(const KnownFinding& known);
 std::string causeLine(const Cause& cause);
 /// The same as a remark: "could be depth of the cycle ...".
 std::string causeNote(const Cause& cause);
+/// Of a finding that has any: how many causes were not tried.
+std::string untriedNote(const Finding& finding);
 /// "O0100:12 (N70) 61 %, O0100:14 39 %"; at most `most` blocks.
 std::string blocksLine(const Finding& finding, std::size_t most);
 

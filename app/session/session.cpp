@@ -54,8 +54,10 @@ Workload workOf(const Job& job, const PreparedRun& prepared) {
   Workload work;
   for (std::size_t k = 0; k < prepared.run.setups.size(); ++k)
     work = together(work, processOf(job, k).work(job, prepared.run, k, prepared.blank));
-  if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape))
+  if (const auto* mesh = std::get_if<MeshShape>(&prepared.blank.shape)) {
     work.blank_triangles = static_cast<double>(mesh->mesh.triangles.size());
+    work.blank_thin_mm = thinLength(mesh->mesh);
+  }
   // Triangles stay as they are made, on flat faces too.
   if (job.simulation.simplify_mm == 0.0) work.unmerged_mm2 = work.surface_mm2;
   work.reads_grid = std::holds_alternative<SavedStock>(prepared.blank.shape);

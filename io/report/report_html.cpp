@@ -212,6 +212,7 @@ class Page {
       add("<span class=\"line\">made by {}</span>", escape(report_text::blocksLine(f, kBlocks)));
     for (const Cause& cause : f.causes)
       add("<span class=\"line\">{}</span>", escape(report_text::causeNote(cause)));
+    if (f.untried_causes > 0) add("<span class=\"line\">{}</span>", escape(report_text::untriedNote(f)));
     out_ += "</td></tr>\n";
   }
 

@@ -80,6 +80,7 @@ Json findingJson(const Finding& f) {
     out["causes"] = Json::array();
     for (const Cause& cause : f.causes) out["causes"].push_back(causeJson(cause));
   }
+  if (f.untried_causes > 0) out["untried_causes"] = f.untried_causes;
   return out;
 }
 

@@ -103,6 +103,21 @@ void CrossingFinder::addBeyond(SampleReader& read, const Coord& start, int axis,
   }
 }
 
+/// Whether straight below a place of a surface all is left as far as a sample that is: an edge that runs
+/// almost along a surface that leans loses the corner of solid material, and no film.
+bool CrossingFinder::isSolidBelow(SampleReader& read, const Vec3& p, const Vec3& normal,
+                                  std::span<const Reach> list) {
+  constexpr int kDown = 4;
+  const Vec3 deep = p - impl_.h * normal, steps = (deep - impl_.position(Coord(0, 0, 0))) / impl_.h;
+  const Coord nearest(static_cast<int>(std::lround(steps.x())), static_cast<int>(std::lround(steps.y())),
+                      static_cast<int>(std::lround(steps.z())));
+  if (!read.isMaterial(nearest)) return false;
+  std::vector<Vec3> down;
+  for (int k = 1; k <= kDown; ++k) down.push_back(p - impl_.h * k / kDown * normal);
+  const std::vector<char> bare = barePoints(down, list);
+  return std::all_of(bare.begin(), bare.end(), [](char is) { return is != 0; });
+}
+
 LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edges,
                                   const std::vector<Crossing>& before, std::span<const Reach> list) {
   struct Film {
@@ -110,6 +125,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     Coord start;
     int axis;
     bool material_first;
+    Vec3 normal;
   };
   PROVEOUT_ASSERT(before.size() == change.before.count);
   std::vector<Film> films;
@@ -120,7 +136,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     if (edges.isCrossed(axis, x, y, z) || leafSample(change.material, x, y, z)) return;
     const Coord start = change.origin.offsetBy(x, y, z);
     const bool material_first = old.normal[axis] > 0;
-    Film film{impl_.position(start), start, axis, material_first};
+    Film film{impl_.position(start), start, axis, material_first, old.unitNormal()};
     film.p[axis] += (material_first ? std::max(0.0, old.t - kFilm) : std::min(1.0, old.t + kFilm)) * impl_.h;
     films.push_back(film);
     points.push_back(film.p);
@@ -140,7 +156,7 @@ LostFilm CrossingFinder::findLost(const LeafChange& change, const LeafEdges& edg
     bool film = bare[i] != 0;
     for (std::size_t k = beyond[i][0]; film && k < beyond[i][1]; ++k)
       film = bare_beyond[k] != 0 && impl_.blank.overlaps({beyond_[k], beyond_[k]});
-    if (!film) continue;
+    if (!film || isSolidBelow(read, films[i].p, films[i].normal, list)) continue;
     if (lost.edges++ == 0) lost.where = films[i].p;
     lost.parts += LostFilm::kParts / 2;
   }

@@ -36,6 +36,7 @@ class CrossingFinder {
 
  private:
   void addBeyond(SampleReader& read, const Coord& start, int axis, bool material_first, const Vec3& p);
+  bool isSolidBelow(SampleReader& read, const Vec3& p, const Vec3& normal, std::span<const Reach> list);
   std::vector<char> barePoints(const std::vector<Vec3>& points, std::span<const Reach> list);
 
   static constexpr std::uint32_t kOld = 0xFFFFFFFFu;

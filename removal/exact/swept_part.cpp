@@ -6,10 +6,10 @@
 #include <map>
 
 #include "core/geometry/box_tree.h"
-#include "core/path/posed_way.h"
 #include "core/tool/tool_solid.h"
 #include "core/tool/tool_type.h"
 #include "removal/grid/shape_field.h"
+#include "removal/sweep/leaning_sweep.h"
 #include "removal/sweep/motion_bodies.h"
 #include "removal/turning/section/section.h"
 #include "removal/turning/section/section_field.h"
@@ -32,6 +32,25 @@ struct Body {
   const ConvexProfile* profile;
   std::int32_t curve;  ///< number of the stored sweep, or -1: a line
 };
+
+/// How far a part reaches from the tip.
+double reachOf(const ConvexProfile& profile) {
+  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
+}
+
+/// Bounds of a part between two poses of a stretch.
+Box3 stretchPieceBounds(const ConvexProfile& profile, const PosedStretch& stretch, double from, double to) {
+  Box3 box;
+  for (const double t : {from, to}) {
+    const PosedStretch::Pose pose = stretch.poseAt(t);
+    const Box3 part = leaningBounds(profile, ToolFrame(pose.axis));
+    box.extend(Vec3(pose.tip + part.min));
+    box.extend(Vec3(pose.tip + part.max));
+  }
+  // What moves between two poses leaves their chord by an eighth of its second derivative.
+  const double bend = stretch.tip[1] + reachOf(profile) * stretch.axis[1];
+  return box.inflated(bend * (to - from) * (to - from) / 8.0 + kTrackMm);
+}
 
 /// The swept volumes of one clamping.
 class CutBodies {
@@ -63,9 +82,10 @@ class CutBodies {
     const Vec3 reach = Vec3::Constant(std::max(within, 0.0));
     Nearest best{within, -1};
     tree_.forEachPlace({q - reach, q + reach}, [&](std::uint32_t place) {
-      const std::int64_t number = body_of_[tree_.order()[place]];
-      if (number == best.body) return;
-      const double d = distance(bodies_[static_cast<std::size_t>(number)], q, best.distance + kSameMm);
+      const Boxed& boxed = body_of_[tree_.order()[place]];
+      const std::int64_t number = boxed.body;
+      if (number == best.body && boxed.stretch == kWhole) return;
+      const double d = distance(boxed, q, best.distance + kSameMm);
       const bool same = std::abs(d - best.distance) <= kSameMm && best.body >= 0;
       if (same ? number < best.body : d < best.distance) best = {d, number};
     });
@@ -80,6 +100,12 @@ class CutBodies {
   MotionId motionOf(std::int64_t body) const { return bodies_[static_cast<std::size_t>(body)].motion; }
 
  private:
+  static constexpr std::uint32_t kWhole = static_cast<std::uint32_t>(-1);
+  /// What is in a box: a body or one stretch of it.
+  struct Boxed {
+    std::uint32_t body, stretch;
+  };
+
   void add(MotionId id) {
     const Motion& m = path_.motions[id];
     const auto solid = solids_.find(m.tool);
@@ -133,22 +159,22 @@ class CutBodies {
     }
   }
 
-  /// A motion that turns the axis, in boxes of stretches of its way.
+  /// A motion that turns the axis, in boxes of pieces of its stretches.
   void addPosed(MotionId id, const ConvexProfile& profile) {
-    const Motion& m = path_.motions[id];
-    const MotionWay way = wayOf(path_, m);
-    const PosedWay posed = posedWayOf(path_, m);
     bodies_.push_back({id, &profile, static_cast<std::int32_t>(curves_.size())});
-    curves_.push_back(motionField(profile, way));
-    const PosedWay::Bounds bounds = posed.boundsOn(0.0, 1.0);
+    curves_.push_back(motionField(profile, wayOf(path_, path_.motions[id])));
+    const std::vector<PosedStretch>& stretches = curves_.back().posed()->stretches();
     const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
-    const int count = static_cast<int>(
-        std::clamp(std::ceil(std::max(bounds.axis.velocity / kBoxTurn, bounds.tip.velocity / unit)), 1.0,
-                   static_cast<double>(kMostBoxes)));
-    for (int i = 0; i < count; ++i) {
-      const Box3 tip = posed.tipBounds(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
-      boxes_.push_back(partBounds(profile, way, tip, 0.0));
-      body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
+    const int most = std::max(1, kMostBoxes / static_cast<int>(stretches.size()));
+    for (const PosedStretch& stretch : stretches) {
+      const double way = 2.0 * stretch.mostShift(reachOf(profile));
+      const int count = static_cast<int>(std::clamp(std::ceil(way / unit), 1.0, static_cast<double>(most)));
+      for (int i = 0; i < count; ++i) {
+        boxes_.push_back(
+            stretchPieceBounds(profile, stretch, 2.0 * i / count - 1.0, 2.0 * (i + 1) / count - 1.0));
+        body_of_.push_back({static_cast<std::uint32_t>(bodies_.size() - 1),
+                            static_cast<std::uint32_t>(&stretch - stretches.data())});
+      }
     }
   }
 
@@ -156,11 +182,14 @@ class CutBodies {
   void addBox(const Motion& m, const ConvexProfile& profile, double from, double to, double slack) {
     const Vec3 a = path_.pointAt(m, from), b = path_.pointAt(m, to);
     boxes_.push_back(partBounds(profile, wayOf(path_, m), {a.cwiseMin(b), a.cwiseMax(b)}, slack));
-    body_of_.push_back(static_cast<std::uint32_t>(bodies_.size() - 1));
+    body_of_.push_back({static_cast<std::uint32_t>(bodies_.size() - 1), kWhole});
   }
 
-  double distance(const Body& b, const Vec3& q, double cutoff) const {
-    return withSweep(b, [&](const SweptField& s) { return s.distance(q, cutoff); });
+  double distance(const Boxed& boxed, const Vec3& q, double cutoff) const {
+    return withSweep(bodies_[boxed.body], [&](const SweptField& s) {
+      if (boxed.stretch == kWhole) return s.distance(q, cutoff);
+      return s.posed()->nearest(q, {cutoff, kLineToleranceMm}, boxed.stretch, boxed.stretch + 1).value;
+    });
   }
 
   const Toolpath& path_;
@@ -169,7 +198,7 @@ class CutBodies {
   std::vector<Body> bodies_;
   std::deque<SweptField> curves_;
   std::vector<Box3> boxes_;
-  std::vector<std::uint32_t> body_of_;  ///< per box
+  std::vector<Boxed> body_of_;  ///< per box
   BoxTree tree_;
 };
 

@@ -32,10 +32,10 @@ struct Ran {
   }
 };
 
-Ran ran(const std::string& job) {
+Ran ran(const std::string& job, const std::string& more = {}) {
   const Workbench bench;
   const fs::path file = fs::path(PROVEOUT_SOURCE_DIR) / "parts" / job;
-  const Outcome outcome = bench.run("run '" + file.string() + "' --no-render --out out");
+  const Outcome outcome = bench.run("run '" + file.string() + "' --no-render --out out" + more);
   Ran out{outcome.exit_code, outcome.err, {}};
   if (bench.exists("out/report.json")) out.report = json::parse(readFile(bench.path("out/report.json")));
   return out;
@@ -86,6 +86,13 @@ TEST(FiveAxisSampleBytes, DoNotDependOnVectorsAndThreads) {
   }
   ASSERT_EQ(meshes.size(), 1u);
   EXPECT_GT(meshes.begin()->size(), 1000u);
+}
+
+/// The edge of the top goes almost along the lines of the grid: what they lose there is a corner, and no
+/// film.
+TEST(FiveAxisSamples, ACornerOfALeaningPartIsNoThinFeature) {
+  const Ran run = ran("cone_frustum/tilted.toml", " --resolution 0.8");
+  EXPECT_FALSE(has(run.said, "thinner than the grid")) << run.said;
 }
 
 /// The control takes the table for 0.2 mm beside where it is: every arc of the flank is off.

@@ -436,6 +436,43 @@ void addWired(std::vector<PredictedJob>& jobs) {
   add("leaning wire, 300 sharp teeth", [] { return starProgram(300, 0.6, 0.5); });
 }
 
+/// Tools that lean, and that turn while they cut.
+void addFiveAxis(const std::string& parts, std::vector<PredictedJob>& jobs) {
+  const auto part = [&](const std::string& file, const Words& more, bool held_out = false) {
+    std::string name = "five axes: " + file;
+    for (const std::string& word : more)
+      if (word.front() != '-') name += " " + word;
+    jobs.push_back({name, {}, {}, Words{parts + "/" + file + ".toml"} + more, "run", held_out});
+  };
+  for (const char* file : {"tetrahedron/job-hh-255", "tetrahedron/job-tt-2512", "tetrahedron/job-ht-2512",
+                           "cone_frustum/job", "cone_frustum/tilted", "relief_cylinder/job", "impeller/job",
+                           "ruled_wall/job"}) {
+    part(file, {});
+    part(file, Words{"--resolution", "0.25"} + kNoPictures);
+  }
+  for (const char* file : {"tetrahedron/job-tt-255", "cone_frustum/tilted", "impeller/job"})
+    part(file, Words{"--resolution", "0.17"} + kNoPictures, true);
+  part("relief_cylinder/job", {"--resolution", "0.15", "--view", "iso", "--view", "top"}, true);
+  const auto finishing = [&](FinishingAxis axis, int lines, int moves, double grid_mm, bool held_out) {
+    const std::string name = axis == FinishingAxis::kLeaning ? "leaning" : "turning";
+    jobs.push_back({fmt::format("five axes: ball {} {} x {} {:g}", name, lines, moves, grid_mm),
+                    {{"five.nc", [=] { return fiveAxisFinishing(lines, moves, axis); }},
+                     {"job.toml",
+                      [file = parts + "/machines/head_cb.toml"] { return fiveAxisJob("five.nc", file); }}},
+                    {},
+                    Words{"job.toml", "--resolution", fmt::format("{:g}", grid_mm)} + kNoPictures,
+                    "run",
+                    held_out});
+  };
+  for (const FinishingAxis axis : {FinishingAxis::kLeaning, FinishingAxis::kTurning}) {
+    finishing(axis, 5, 1001, 0.1, false);
+    finishing(axis, 20, 1001, 0.25, false);
+    finishing(axis, 20, 1001, 0.1, false);
+    finishing(axis, 40, 50, 0.2, false);
+    finishing(axis, 30, 200, 0.15, true);
+  }
+}
+
 }  // namespace
 
 std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::string& parts) {
@@ -447,6 +484,7 @@ std::vector<PredictedJob> predictedJobs(const std::string& shared, const std::st
   addMeshes(jobs);
   addTurned(parts, jobs);
   addWired(jobs);
+  addFiveAxis(parts, jobs);
   return jobs;
 }
 

@@ -41,9 +41,9 @@ class Proof {
  public:
   Proof(const Job& job, const RunSources& sources, const Blank& blank, const TriMesh& nominal,
         const std::vector<PatchFinding>& patches, RunResult& run, Progress& progress)
-      : scene_{job, run, sources}, bench_(job, sources, blank, nominal, run, progress), run_(run) {
+      : scene_{job, run, sources}, bench_(job, sources, blank, nominal, run, progress), run_(run), budget_(bench_.budget()) {
+    untried_.resize(patches.size());
     if (!bench_.works() || patches.empty()) return;
-    left_ = bench_.worthwhile();
     for (const PatchFinding& p : patches) reach_ = std::max(reach_, 1.5 * p.patch->depth_mm);
     reach_ += 2.0 * run.resolution_mm;
     for (const Vec3& corner : {meshBounds(nominal).min, meshBounds(nominal).max}) all_.extend(corner);
@@ -62,8 +62,7 @@ class Proof {
     std::vector<const Outcome*> cures;
     if (points.empty() || findCures(points, cures)) return;
     for (const Suspect* suspect : suspectsFor(told)) {
-      if (left_ == 0) break;
-      tryOut(*suspect, points);
+      if (!tryOut(*suspect, points)) ++untried_[number];
     }
   }
 
@@ -72,8 +71,9 @@ class Proof {
     const std::vector<std::size_t> points = pointsOf(number);
     std::vector<const Outcome*> cures;
     if (points.empty()) return;
-    findCures(points, cures);
-    tell(run_.findings[told.finding], points, cures);
+    Finding& finding = run_.findings[told.finding];
+    if (!findCures(points, cures)) finding.untried_causes = untried_[number];
+    tell(finding, points, cures);
   }
 
  private:
@@ -135,9 +135,8 @@ class Proof {
       return o.suspect == &suspect && o.with == with;
     });
     if (same != outcomes_.end()) return &*same;
-    if (left_ == 0) return nullptr;
-    --left_;
-    Outcome out{&suspect, std::move(with), value, usual, bench_.deviations(trial, samples_, reach_), 0.0, 0.0};
+    if (budget_.isSpent()) return nullptr;
+    Outcome out{&suspect, std::move(with), value, usual, bench_.deviations(trial, samples_, reach_, budget_), 0.0, 0.0};
     if (out.deviations.size() != samples_.size()) return nullptr;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       if (!isOff(before_[k]) && isLeft(out.deviations[k])) out.spoiled += 1.0 / off_;
@@ -147,8 +146,17 @@ class Proof {
     return &outcomes_.back();
   }
 
-  void tryOut(const Suspect& suspect, const std::vector<std::size_t>& points) {
-    if (!tried_.insert(suspect.key).second) return;
+  /// False: nothing was tried, or not all that is to be, as trials have taken as much as they may.
+  bool tryOut(const Suspect& suspect, const std::vector<std::size_t>& points) {
+    if (tried_.contains(suspect.key)) return true;
+    if (budget_.isSpent()) return false;
+    tried_.insert(suspect.key);
+    const std::size_t refused = budget_.refused();
+    tryValues(suspect, points);
+    return budget_.refused() == refused;
+  }
+
+  void tryValues(const Suspect& suspect, const std::vector<std::size_t>& points) {
     for (const Suspect::Other& other : suspect.others) run(suspect, other.trial, other.text, std::nullopt, !suspect.conventional);
     if (!suspect.put) return;
     for (const double value : suspect.usual) {
@@ -413,7 +421,8 @@ class Proof {
   SuspectScene scene_;
   TrialBench bench_;
   RunResult& run_;
-  std::size_t left_ = 0;  ///< trials
+  TrialBudget budget_;
+  std::vector<std::size_t> untried_;  ///< suspects, by patch
   double reach_ = 0.0, off_ = 0.0;
   Box3 all_;
   std::vector<Vec3> samples_;

@@ -1,6 +1,7 @@
 #include "app/session/causes/trial.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/session/machining/machining.h"
 #include "app/session/programs/first_offset.h"
@@ -8,8 +9,11 @@
 #include "app/session/programs/rotary_motions.h"
 #include "app/session/run/process.h"
 #include "core/mesh/signed_distance.h"
+#include "core/tool/tool_solid.h"
 #include "core/tool/tool_table.h"
+#include "core/tool/tool_type.h"
 #include "removal/exact/swept_part.h"
+#include "removal/sweep/motion_bodies.h"
 #include "removal/sweep/tool_frame.h"
 
 namespace proveout {
@@ -24,6 +28,9 @@ struct TrialBench::Changed {
 
 namespace {
 
+/// What a trial takes besides its motions, in motions.
+constexpr double kSweptSize = 1500.0, kMachinedSize = 800.0;
+
 bool measures(const Toolpath& path) {
   return std::any_of(path.motions.begin(), path.motions.end(),
                      [](const Motion& motion) { return motion.kind == MotionKind::kProbe; });
@@ -35,23 +42,56 @@ double reachOf(const std::vector<Tool>& tools, int number) {
   return tool == nullptr || tool->insert ? 0.0 : 0.5 * tool->diameter;
 }
 
-/// The motions of a path whose tools may come to a box. Downwards a tool takes what is above its tip.
+/// Which motions come to a box.
+class NearMotions {
+ public:
+  NearMotions(const Toolpath& path, const std::vector<Tool>& tools, const Box3& box)
+      : path_(path), tools_(tools), box_(box) {}
+
+  bool isNear(const Motion& motion) {
+    const MotionWay way = wayOf(path_, motion);
+    const Box3 tip = path_.bounds(motion);
+    if (way.leans() || way.turns()) {
+      const std::vector<ConvexProfile>& cutter = cutterOf(motion.tool);
+      return std::any_of(cutter.begin(), cutter.end(), [&](const ConvexProfile& part) {
+        return partBounds(part, way, tip, 0.0).overlaps(box_);
+      });
+    }
+    // Downwards a tool takes what is above its tip.
+    Box3 swept = tip.inflated(reachOf(tools_, motion.tool));
+    swept.max.z() = std::max(swept.max.z(), box_.max.z());
+    return swept.overlaps(box_);
+  }
+
+ private:
+  /// What cuts of a tool; nothing of one that does not turn.
+  const std::vector<ConvexProfile>& cutterOf(int number) {
+    const auto [at, fresh] = cutters_.try_emplace(number);
+    const Tool* const tool = fresh ? ToolTable(tools_).ofMotion(number) : nullptr;
+    if (tool != nullptr && rowOf(tool->type).rotates) at->second = makeToolSolid(*tool).cutter;
+    return at->second;
+  }
+
+  const Toolpath& path_;
+  const std::vector<Tool>& tools_;
+  const Box3& box_;
+  std::map<int, std::vector<ConvexProfile>> cutters_;  ///< by number of the tool
+};
+
+/// The motions of a path whose tools may come to a box.
 Toolpath near(const Toolpath& path, const std::vector<Tool>& tools, const Box3& box) {
   Toolpath out;
+  NearMotions motions(path, tools, box);
   for (const Motion& motion : path.motions) {
-    const double reach = reachOf(tools, motion.tool);
-    Box3 swept = path.bounds(motion).inflated(reach);
-    swept.max.z() = std::max(swept.max.z(), box.max.z());
-    const MotionWay way = wayOf(path, motion);
-    const bool upright = !way.leans() && !way.turns();
-    if (upright && !swept.overlaps(box)) continue;
+    if (!motions.isNear(motion)) continue;
     Motion kept = motion;
     if (motion.arc >= 0) {
       kept.arc = static_cast<std::int32_t>(out.arcs.size());
       out.arcs.push_back(path.arcs[static_cast<std::size_t>(motion.arc)]);
     }
     kept.axis = -1;
-    if (!upright) {
+    const MotionWay way = wayOf(path, motion);
+    if (way.leans() || way.turns()) {
       kept.axis = static_cast<std::int32_t>(out.axes.size());
       out.axes.push_back(*way.axis);
     }
@@ -99,13 +139,34 @@ TrialBench::TrialBench(const Job& job, const RunSources& sources, const Blank& b
   swept_ = swept_ && !run.isOfFacets();
 }
 
-std::size_t TrialBench::worthwhile() const {
+double trialSize(const Toolpath& path) {
+  // Of motions that turn the tool some 40 take as long as 1,600 others: parts/cone_frustum with a wrong
+  // parameter.
+  constexpr double kTurning = 40.0;
+  double size = 0.0;
+  for (const Motion& motion : path.motions) size += wayOf(path, motion).turns() ? kTurning : 1.0;
+  return size;
+}
+
+/// Of all clampings, one of which may be changed.
+double TrialBench::sizeWith(const Changed* changed) const {
+  double size = swept_ ? kSweptSize : kMachinedSize;
+  for (std::size_t k = 0; k < run_.setups.size(); ++k) {
+    const bool other = changed != nullptr && changed->setup == k;
+    size += trialSize(other ? changed->interpreted.path : run_.setups[k].interpreted.path);
+  }
+  return size;
+}
+
+TrialBudget TrialBench::budget() const {
   std::size_t motions = 0;
   for (const SetupRun& setup : run_.setups) motions += setup.interpreted.path.motions.size();
-  // A program of 75 motions is tried in 2 ms near its samples, one of 100,000 in a third of its run.
-  const double swept = 3e5 / (static_cast<double>(motions) + 1500.0);
-  const double machined = 2e4 / (static_cast<double>(motions) + 800.0);
-  return static_cast<std::size_t>(swept_ ? std::clamp(swept, 2.0, 150.0) : std::clamp(machined, 2.0, 24.0));
+  // A program of 75 motions is tried in 2 ms near its samples, one of 100,000 in a third of its run. Where
+  // tools turn the run takes longer as well.
+  const double swept = 3e5 / (static_cast<double>(motions) + kSweptSize);
+  const double machined = 2e4 / (static_cast<double>(motions) + kMachinedSize);
+  const double trials = swept_ ? std::clamp(swept, 2.0, 150.0) : std::clamp(machined, 2.0, 24.0);
+  return {static_cast<std::size_t>(trials), sizeWith(nullptr)};
 }
 
 std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) const {
@@ -153,10 +214,11 @@ std::vector<double> TrialBench::ofSweptPart(const Changed* changed, const std::v
 }
 
 std::vector<double> TrialBench::deviations(const Trial& trial, const std::vector<Vec3>& samples,
-                                           double reach_mm) const {
+                                           double reach_mm, TrialBudget& budget) const {
   if (!works_ || progress_.cancelled()) return {};
+  budget.takeOne();
   const std::optional<Changed> changed = changedSetup(trial);
-  if (!changed) return {};
+  if (!changed || !budget.takeRest(sizeWith(&*changed))) return {};
   return swept_ ? ofSweptPart(&*changed, samples, reach_mm) : machinedAgain(*changed, samples, reach_mm);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session/causes/changed_source.h"
+#include "app/session/causes/trial_budget.h"
 #include "app/session/run/prepared_run.h"
 
 namespace proveout {
@@ -33,14 +34,17 @@ class TrialBench {
   /// Deviations of the machined part from the nominal at these points of its surface (frame of the last
   /// clamping), mm, excess positive, up to `reach_mm`. Empty: the program would end in an alarm, or the trial
   /// cannot be run.
-  std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples, double reach_mm) const;
+  /// Also empty: the trial is too large for what is left of the budget.
+  std::vector<double> deviations(const Trial& trial, const std::vector<Vec3>& samples, double reach_mm,
+                                 TrialBudget& budget) const;
   /// The same of the run as it is.
   std::vector<double> deviations(const std::vector<Vec3>& samples, double reach_mm) const;
-  /// How many trials take about as long as the run itself, estimated from its size alone.
-  std::size_t worthwhile() const;
+  /// As many trials as take about as long as the run itself, estimated from its size alone.
+  TrialBudget budget() const;
 
  private:
   struct Changed;
+  double sizeWith(const Changed* changed) const;
   std::optional<Changed> changedSetup(const Trial& trial) const;
   /// `changed`: null for the run as it is.
   std::vector<double> ofSweptPart(const Changed* changed, const std::vector<Vec3>& samples,

@@ -483,6 +483,7 @@ Diagnostic findingDiagnostic(const Finding& finding) {
     diagnostic.notes.push_back("made by " + report_text::blocksLine(finding, kBlocks));
   for (std::size_t i = 0; i < std::min(kCauses, finding.causes.size()); ++i)
     diagnostic.notes.push_back(report_text::causeNote(finding.causes[i]));
+  if (finding.untried_causes > 0) diagnostic.notes.push_back(report_text::untriedNote(finding));
   return diagnostic;
 }
 

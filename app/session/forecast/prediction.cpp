@@ -12,6 +12,10 @@
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "core/mesh/tri_mesh.h"
+#include "core/path/posed_way.h"
+#include "core/tool/tool_solid.h"
+#include "core/tool/tool_type.h"
+#include "removal/sweep/kinds/pose_solid.h"
 #include "removal/sweep/tool_frame.h"
 
 namespace proveout {
@@ -60,10 +64,18 @@ constexpr double kSecondsPerSteppedCell = kMeshing * 2.3e-6;
 constexpr double kSecondsPerSweptCell = 6e-9;  ///< removal, each motion counted
 /// Of curves about z, and of other curves: all in proportion to these.
 constexpr double kTurning = 1.0, kLeaning = 1.0;
+/// Of tools that lean or turn on their way: in proportion to this.
+constexpr double kTilted = 1.0;
 /// A column under a chord or a part, by CurveKind; under flanked arcs a cell of a strip along the columns.
 constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
-    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
-    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8};
+    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7,
+    kTurning * 4.5e-7, kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7,
+    kLeaning * 0.4e-8, kTilted * 4e-8,    kTilted * 2.3e-6,  kTilted * 2.4e-5,
+    kTilted * 2e-8,    kTilted * 5e-8,    kTilted * 3e-9,    kTilted * 6e-5};
+/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on.
+constexpr std::array<double, 7> kSecondsPerTilted = {
+    kTilted * 5e-5, kTilted * 5e-5, kTilted * 5e-5, 0.0, kTilted * 2.8e-4, 0.0, kTilted * 2.8e-4};
+constexpr int kFirstTilted = static_cast<int>(CurveKind::kLeanLine);
 /// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Arcs that rise by less along their axis, and whose axis is that level, are cut as upright ones.
@@ -72,30 +84,37 @@ constexpr double kSameMm = 1e-7, kLevelAxis = 1e-12;
 constexpr double kTurnsThatCount = 1.5;
 /// Under a part of a spiral: what the height map does not show.
 constexpr double kBytesPerUndercutColumn = 45.0;
-constexpr double kBytesPerChord = 2700.0;  ///< its passes, and their numbers in lists
-constexpr double kBytesPerPart = 1000.0;   ///< of a spiral: the same
+constexpr double kBytesPerChord = 2700.0;    ///< its passes, and their numbers in lists
+constexpr double kBytesPerPart = 1000.0;     ///< of a spiral: the same
+constexpr double kBytesPerLeaning = 1500.0;  ///< a body of a tool that leans
+/// Of a motion that turns the tool: its track and the bodies of all parts; and of each pose.
+constexpr double kBytesPerTurning = 8000.0, kBytesPerPose = 150.0;
 constexpr double kChordMm = 5e-5;
 /// Times the surface that the height map shows of what undercut tools leave.
 constexpr float kUndercutFaces = 2.0F;
 /// A line that is so many times longer than its tool is wide leaves strips.
 constexpr double kRuledWidths = 2.0;
-constexpr double kSecondsPerTriangle = 7e-7;          ///< half sections, their mesh, its checks, files
-constexpr double kSecondsPerGrooveTriangle = 8e-7;    ///< on top of that: sections where ridges are cut
-constexpr double kSecondsPerPassPoint = 2.9e-6;       ///< passes that deeper ones hold are dropped
-constexpr double kSecondsPerMotion = 2.0e-6;          ///< interpreter, culling
-constexpr double kSecondsPerTurnedMotion = 3.0e-5;    ///< out of the half section
-constexpr double kSecondsPerFixtureCell = 0.7e-7;     ///< leaves and crossings alone
-constexpr double kSecondsPerTurnedCell = 6e-7;        ///< from a half section to the grid
-constexpr double kSecondsPerThreadedCell = 2.5e-6;    ///< on top of that where threads run
-constexpr double kSecondsPerMilledThread = 8e-6;      ///< and what is cut on, again for each of its cells
-constexpr double kSecondsPerReadCell = 4.5e-7;        ///< of a saved stock
-constexpr double kSecondsPerWrittenCell = 0.85e-6;    ///< as a saved stock
-constexpr double kSecondsPerTextCell = 1.2e-6;        ///< cut cells in one mesh file as text
-constexpr double kSecondsPerBlankTriangle = 3e-6;     ///< a stock from a mesh
-constexpr double kSecondsPerMeshedCell = 1.9e-6;      ///< the same, and its cells
-constexpr double kSecondsPerMovedCell = 2.3e-6;       ///< a stock from that of the clamping before
-constexpr double kSecondsPerComparedCell = 0.8e-6;    ///< comparison: a sample
-constexpr double kSecondsPerComparedCut = 2.4e-6;     ///< on top of that where the part is not level
+constexpr double kSecondsPerTriangle = 7e-7;        ///< half sections, their mesh, its checks, files
+constexpr double kSecondsPerGrooveTriangle = 8e-7;  ///< on top of that: sections where ridges are cut
+constexpr double kSecondsPerPassPoint = 2.9e-6;     ///< passes that deeper ones hold are dropped
+constexpr double kSecondsPerMotion = 2.0e-6;        ///< interpreter, culling
+constexpr double kSecondsPerTurnedMotion = 3.0e-5;  ///< out of the half section
+constexpr double kSecondsPerFixtureCell = 0.7e-7;   ///< leaves and crossings alone
+constexpr double kSecondsPerTurnedCell = 6e-7;      ///< from a half section to the grid
+constexpr double kSecondsPerThreadedCell = 2.5e-6;  ///< on top of that where threads run
+constexpr double kSecondsPerMilledThread = 8e-6;    ///< and what is cut on, again for each of its cells
+constexpr double kSecondsPerReadCell = 4.5e-7;      ///< of a saved stock
+constexpr double kSecondsPerWrittenCell = 0.85e-6;  ///< as a saved stock
+constexpr double kSecondsPerTextCell = 1.2e-6;      ///< cut cells in one mesh file as text
+constexpr double kSecondsPerBlankTriangle = 3e-6;   ///< a stock from a mesh
+constexpr double kSecondsPerMeshedCell = 1.9e-6;    ///< the same, and its cells
+constexpr double kSecondsPerThinCell = 2e-6;        ///< and a cell along a thin triangle
+constexpr double kSecondsPerMovedCell = 2.3e-6;     ///< a stock from that of the clamping before
+constexpr double kSecondsPerComparedCell = 0.8e-6;  ///< comparison: a sample
+constexpr double kSecondsPerComparedCut = 2.4e-6;   ///< on top of that where the part is not level
+/// And each body of a tool that leans or turns near it, and a blank of thin triangles.
+constexpr double kSecondsPerAskedLeaning = 1.1e-6, kSecondsPerAskedTurning = 1e-7,
+                 kSecondsPerAskedThin = 1.5e-6;
 constexpr double kMostSamples = 2e6;                  ///< of both meshes
 constexpr double kSecondsPerDrawnTriangle = 5e-7;     ///< search tree and normals, for all pictures
 constexpr double kSecondsPerPixel = 0.85e-7;          ///< one picture of flat faces
@@ -106,9 +125,14 @@ constexpr double kSecondsPerDeviationPixel = 0.5e-7;  ///< on top of that: dista
 /// Along a line more leaves are asked than over its ends, which the motions beside it have cut.
 constexpr double kLineCounts = 2.0;
 
-/// Columns of tools that lean are found one by one.
-constexpr double kLeaningCounts = 10.0;
-
+/// Poses of a tool that turns stand as close as those of PosePiece, 16 to a piece; more pieces are taken as
+/// these.
+constexpr double kPosesAPiece = 16.0, kPosesMm = 5e-5;
+constexpr int kMostLooked = 64;
+/// Tools whose axis rises by more leave what the height map shows.
+constexpr double kSteep = 0.5;
+/// Directions that differ by less than about this cut one face.
+constexpr double kSameFace = 0.15;
 /// The height map has at most this many cells along a side, and its making touches at most so many.
 constexpr int kMapSide = 256;
 constexpr double kMapWork = 1.5e6;
@@ -153,7 +177,9 @@ struct CutterSize {
   bool undercut = false;  ///< wider below than above somewhere
   bool bulges = false;    ///< and that not by a disc alone
   bool flanked = false;   ///< and by flanks
-  double length = 0.0;    ///< from the tip, mm
+  double length = 0.0;    ///< of what cuts, from the tip, mm
+  bool ball = false;      ///< its end goes the same way however the tool leans
+  bool known = true;      ///< kernels of tools that lean know it
   bool plain = false;     ///< kernels have vectors for rising spirals: flat and ball ends, bull noses
 };
 
@@ -161,16 +187,77 @@ std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
   std::map<int, CutterSize> out;
   for (const Tool& tool : tools) {
     const ToolType type = tool.type;
-    const bool bulges = hasNeck(type) && type != ToolType::kTSlot;
-    out[tool.number] = {footprintOf(tool),
-                        hasNeck(type),
-                        bulges,
-                        bulges && type != ToolType::kLollipop,
-                        tool.flute_length + tool.diameter,
-                        type == ToolType::kFlat || type == ToolType::kBall || type == ToolType::kBull};
+    CutterSize size;
+    size.footprint = footprintOf(tool);
+    size.undercut = hasNeck(type);
+    size.bulges = size.undercut && type != ToolType::kTSlot;
+    size.flanked = size.bulges && type != ToolType::kLollipop;
+    size.length = tool.flute_length + tool.diameter;
+    size.plain = type == ToolType::kFlat || type == ToolType::kBall || type == ToolType::kBull;
+    size.ball = type == ToolType::kBall;
+    if (rowOf(type).rotates) {
+      const std::vector<ConvexProfile> cutter = makeToolSolid(tool).cutter;
+      size.known = size.ball || std::all_of(cutter.begin(), cutter.end(), [](const ConvexProfile& part) {
+                     return poseSolid(part).zones > 0 && leastRadius(part) > 0.0;
+                   });
+    }
+    out[tool.number] = size;
   }
   return out;
 }
+
+/// What of a tool that stands at a pose is below the top of the blank, as a box, mm.
+Box3 boxBelow(const ToolPose& pose, const CutterSize& cutter, double top) {
+  constexpr double kLevel = 0.05;
+  const Vec3& d = pose.axis;
+  const double r = cutter.footprint.radius, rise = top - pose.tip.z() + r;
+  const double length = d.z() > kLevel ? std::clamp(rise / d.z(), 0.0, cutter.length) : cutter.length;
+  const Vec3 across = r * (Vec3::Ones() - d.cwiseAbs2()).cwiseMax(0.0).cwiseSqrt();
+  Box3 box;
+  for (const Vec3& end : {pose.tip, Vec3(pose.tip + length * d)}) {
+    box.extend(Vec3(end - across));
+    box.extend(Vec3(end + across));
+  }
+  return box;
+}
+
+/// Sizes of what two boxes have in common: all along zero where it is nothing.
+Vec3 commonSize(const Box3& a, const Box3& b) {
+  const Vec3 size = a.max.cwiseMin(b.max) - a.min.cwiseMax(b.min);
+  return size.minCoeff() > 0.0 ? size : Vec3::Zero();
+}
+
+/// Faces that tools cut which lean so far that the height map knows nothing of them, by direction.
+class LeanFaces {
+ public:
+  void add(const Vec3& axis, double mm2, const Vec3& blank) {
+    const auto key = [](double c) { return static_cast<int>(std::lround(c / kSameFace)); };
+    Face& face = faces_[{key(axis.x()), key(axis.y()), key(axis.z())}];
+    face.cut_mm2 += mm2;
+    const Vec3 d = axis.cwiseAbs();
+    face.most_mm2 =
+        d.x() * blank.y() * blank.z() + d.y() * blank.z() * blank.x() + d.z() * blank.x() * blank.y();
+  }
+  void add(const LeanFaces& more) {
+    for (const auto& [key, face] : more.faces_) {
+      Face& mine = faces_[key];
+      mine.cut_mm2 += face.cut_mm2;
+      mine.most_mm2 = std::max(mine.most_mm2, face.most_mm2);
+    }
+  }
+  /// From one direction no more is cut than what of the blank is seen from there.
+  double mm2() const {
+    return std::accumulate(faces_.begin(), faces_.end(), 0.0, [](double sum, const auto& entry) {
+      return sum + std::min(entry.second.cut_mm2, entry.second.most_mm2);
+    });
+  }
+
+ private:
+  struct Face {
+    double cut_mm2 = 0.0, most_mm2 = 0.0;
+  };
+  std::map<std::array<int, 3>, Face> faces_;
+};
 
 /// The motions that come to the blank.
 class Strokes {
@@ -180,9 +267,13 @@ class Strokes {
     parallelFor(std::size_t{0}, parts_.size(), [&](std::size_t i) { collect(i, cutters); });
   }
 
-  double swept_mm2() const {
-    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
-                           [](double sum, const Part& part) { return sum + part.swept_mm2; });
+  double swept_mm2() const { return sum(&Part::swept_mm2); }
+  double leanAsked() const { return sum(&Part::lean_asked); }
+  double turnAsked() const { return sum(&Part::turn_asked); }
+  double faces_mm2() const {
+    LeanFaces all;
+    for (const Part& part : parts_) all.add(part.faces);
+    return all.mm2();
   }
 
   std::array<CurveWork, kCurveKinds> curves() const {
@@ -197,7 +288,7 @@ class Strokes {
     for (const Part& part : parts_) {
       for (const Stroke& stroke : part.strokes) {
         if (!map.touches(stroke.x_min, stroke.x_max, band)) continue;
-        eachSegment(path_.motions[stroke.motion], stroke.tool.radius,
+        eachSegment(path_.motions[stroke.motion], stroke.tool.radius, stroke.shift,
                     [&](const Vec3& a, const Vec3& b) { map.lower(a, b, stroke.tool, stroke.made, band); });
       }
     }
@@ -209,13 +300,20 @@ class Strokes {
     MotionId motion;
     Footprint tool;
     CutBy made;
+    Vec3 shift;           ///< from its tip to its lowest point
     double x_min, x_max;  ///< mm; what it reaches over
   };
   struct Part {
     std::vector<Stroke> strokes;
-    double swept_mm2 = 0.0;
+    double swept_mm2 = 0.0, lean_asked = 0.0, turn_asked = 0.0;
     std::array<CurveWork, kCurveKinds> curves;
+    LeanFaces faces;
   };
+
+  double sum(double Part::*member) const {
+    return std::accumulate(parts_.begin(), parts_.end(), 0.0,
+                           [&](double sum, const Part& part) { return sum + part.*member; });
+  }
 
   /// The parts of a spiral of which `segments` of forEachSegment come to the blank.
   void addSpiral(const Motion& motion, const CutterSize& cutter, double segments, Part& part) const {
@@ -259,14 +357,81 @@ class Strokes {
       add(part.curves[static_cast<std::size_t>(CurveKind::kChords)], {chords, 0.0});
   }
 
-  /// A tool that leans: the time that it takes, by its shadow. The height map is of what is open to above and
-  /// knows nothing of it.
-  void addLeaning(const Motion& motion, const CutterSize& cutter, Part& part) const {
-    if (!path_.bounds(motion).inflated(cutter.length).overlaps(blank_)) return;
-    const double sides = blank_.size().x() + blank_.size().y();
-    const double ahead = std::min(path_.length(motion) + cutter.length, sides);
-    part.swept_mm2 += kLeaningCounts * ahead * std::min(2.0 * cutter.footprint.radius, sides);
+  void addBody(CurveKind kind, double count, double columns_mm2, Part& part) const {
+    add(part.curves[static_cast<std::size_t>(kind)], {count, columns_mm2});
   }
+
+  /// A tool that leans and stands. True: it comes to the blank.
+  bool addLeaning(const Motion& motion, const MotionWay& way, const CutterSize& cutter, Part& part) const {
+    const double top = blank_.max.z();
+    Box3 box = boxBelow({motion.from, way.direction()}, cutter, top);
+    forEachSegment(path_, motion, [&](const Vec3&, const Vec3& to) {
+      box.extend(boxBelow({to, way.direction()}, cutter, top));
+    });
+    const Vec3 common = commonSize(box, blank_);
+    if (common.x() == 0.0) return false;
+    part.lean_asked += share(common);
+    const double shadow = common.x() * common.y();
+    if (way.arc == nullptr) {
+      addBody(cutter.known ? CurveKind::kLeanLine : CurveKind::kLeanSearched, 1.0, shadow, part);
+    } else if (way.arc->normal.cross(way.direction()).norm() < kLevelAxis) {
+      addBody(CurveKind::kLeanArc, 1.0, shadow, part);
+    } else {
+      const double radius = std::max((motion.from - way.arc->center).norm(), kChordMm),
+                   chords = std::abs(way.arc->sweep_rad) / std::sqrt(8.0 * kChordMm / radius);
+      const Vec3 one = commonSize(boxBelow({motion.from, way.direction()}, cutter, top), blank_);
+      addBody(CurveKind::kLeanChords, chords, chords * one.x() * one.y(), part);
+    }
+    return true;
+  }
+
+  /// A tool that turns on its way. True: it comes to the blank.
+  bool addTurning(const Motion& motion, const CutterSize& cutter, Part& part) const {
+    const PosedWay way = posedWayOf(path_, motion);
+    const double radius = std::max(cutter.footprint.radius, 0.01);
+    double speed = 0.0;  // of the tool's farthest point, by the share of the motion
+    constexpr int kPlaces = 4;
+    for (int i = 0; i < kPlaces; ++i) {
+      const PosedWay::Rates rates = way.movingAt((i + 0.5) / kPlaces).rates;
+      speed += (rates.tip.norm() + cutter.length * rates.axis.norm()) / kPlaces;
+    }
+    const double poses = std::max(1.0, speed / std::sqrt(8.0 * kPosesMm * radius));
+    const double pieces = std::ceil(poses / kPosesAPiece);
+    const int looked = static_cast<int>(std::min(pieces, static_cast<double>(kMostLooked)));
+    double near = 0.0, shadow = 0.0, asked = 0.0;
+    for (int i = 0; i < looked; ++i) {
+      Box3 box = boxBelow(way.at(static_cast<double>(i) / looked), cutter, blank_.max.z());
+      box.extend(boxBelow(way.at(static_cast<double>(i + 1) / looked), cutter, blank_.max.z()));
+      const Vec3 common = commonSize(box, blank_);
+      if (common.x() == 0.0) continue;
+      near += 1.0 / looked;
+      shadow += common.x() * common.y() * pieces / looked;
+      asked += share(common);
+    }
+    if (near == 0.0) return false;
+    part.turn_asked += asked;
+    if (cutter.known) {
+      addBody(CurveKind::kTurns, near, shadow, part);
+      addBody(CurveKind::kPoses, near * poses, shadow * poses / pieces, part);
+    } else {
+      addBody(CurveKind::kTurnsSearched, near, shadow, part);
+    }
+    return true;
+  }
+
+  /// Of the blank's box.
+  double share(const Vec3& size) const { return size.prod() / blank_.size().cwiseMax(1e-9).prod(); }
+
+  /// A tool that leans or turns: what it takes, and the face that it leaves where the height map shows none.
+  /// `direction`: in the middle of its way.
+  void addTilted(const Motion& motion, const MotionWay& way, const CutterSize& cutter, const Vec3& direction,
+                 Part& part) const {
+    const bool comes = way.turns() ? addTurning(motion, cutter, part) : addLeaning(motion, way, cutter, part);
+    if (!comes || isSteep(direction)) return;
+    const double length = std::min(path_.length(motion), blank_.size().sum());
+    part.faces.add(direction, 2.0 * cutter.footprint.radius * length, blank_.size());
+  }
+  static bool isSteep(const Vec3& direction) { return direction.z() > kSteep; }
 
   /// What a motion leaves, of which chords of this length come to the blank.
   CutBy cutBy(const Motion& motion, const CutterSize& cutter) const {
@@ -282,8 +447,9 @@ class Strokes {
   }
 
   template <typename Use>
-  void eachSegment(const Motion& motion, double radius, const Use& use) const {
-    forEachSegment(path_, motion, [&](const Vec3& a, const Vec3& b) {
+  void eachSegment(const Motion& motion, double radius, const Vec3& shift, const Use& use) const {
+    forEachSegment(path_, motion, [&](const Vec3& from, const Vec3& to) {
+      const Vec3 a = from + shift, b = to + shift;
       if (reaches(blank_, a, b, radius)) use(a, b);
     });
   }
@@ -296,26 +462,34 @@ class Strokes {
       const Motion& motion = path_.motions[i];
       const auto found = cutters.find(motion.tool);
       const CutterSize cutter = found == cutters.end() ? CutterSize{} : found->second;
-      if (wayOf(path_, motion).leans()) {
-        addLeaning(motion, cutter, part);
-        continue;
+      const MotionWay way = wayOf(path_, motion);
+      const bool tilted = way.leans() || way.turns();
+      Vec3 shift = Vec3::Zero();
+      if (tilted) {
+        const Vec3 direction = way.turns() ? posedWayOf(path_, motion).at(0.5).axis : way.direction();
+        addTilted(motion, way, cutter, direction, part);
+        if (!isSteep(direction)) continue;
+        // The lowest point of a ball is not its tip.
+        if (cutter.ball) shift = cutter.footprint.radius * (direction - Vec3::UnitZ());
       }
       const double radius = cutter.footprint.radius;
       double segments = 0.0, length_mm = 0.0;
       constexpr double kNowhere = std::numeric_limits<double>::infinity();
-      Stroke stroke{static_cast<MotionId>(i), cutter.footprint, cutBy(motion, cutter), kNowhere, -kNowhere};
-      eachSegment(motion, radius, [&](const Vec3& a, const Vec3& b) {
+      Stroke stroke{
+          static_cast<MotionId>(i), cutter.footprint, cutBy(motion, cutter), shift, kNowhere, -kNowhere};
+      eachSegment(motion, radius, shift, [&](const Vec3& a, const Vec3& b) {
         ++segments;
         length_mm += std::min((b - a).norm(), most_x + most_y);
         stroke.x_min = std::min(stroke.x_min, std::min(a.x(), b.x()) - radius);
         stroke.x_max = std::max(stroke.x_max, std::max(a.x(), b.x()) + radius);
       });
+      if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
+      if (tilted) continue;
       // A line is one pass, a curve one a turn.
       const double passes = motion.arc < 0 ? std::min(segments, 1.0) : segments / kChordsPerTurn;
       part.swept_mm2 += ((motion.arc < 0 ? kLineCounts : 1.0) * length_mm + passes * 2 * radius) *
                         std::min(2 * radius, std::max(most_x, most_y));
       if (motion.arc >= 0) addChords(motion, cutter, segments, part);
-      if (stroke.x_min <= stroke.x_max) part.strokes.push_back(stroke);
     }
   }
 
@@ -325,6 +499,19 @@ class Strokes {
 };
 
 }  // namespace
+
+double thinLength(const TriMesh& mesh) {
+  constexpr double kThin = 16.0;  // longest side, squared, over the area
+  double sum = 0.0;
+  for (const auto& triangle : mesh.triangles) {
+    const Vec3 a = mesh.positions[triangle[0]].cast<double>(), b = mesh.positions[triangle[1]].cast<double>(),
+               c = mesh.positions[triangle[2]].cast<double>();
+    const double longest2 = std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}),
+                 area = 0.5 * (b - a).cross(c - a).norm();
+    if (longest2 > kThin * area) sum += std::sqrt(longest2);
+  }
+  return sum;
+}
 
 double blankArea(const StockShape& shape, const Box3& bounds) {
   if (const auto* mesh = std::get_if<MeshShape>(&shape)) return meshArea(mesh->mesh);
@@ -345,14 +532,17 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   work.motions = path.motions.size();
   work.swept_mm2 = strokes.swept_mm2();
   work.curves = strokes.curves();
+  work.lean_asked = strokes.leanAsked();
+  work.turn_asked = strokes.turnAsked();
   double cell = std::max(blank.size().x(), blank.size().y()) / kMapSide;
   cell = std::max(cell, std::sqrt(work.swept_mm2 / kMapWork));
   HeightMap map(blank, cell);
   parallelFor(0, HeightMap::kBands, [&](int band) { strokes.lower(map, band); });
   work.surface_mm2 = std::max(blank_mm2 + map.addedArea(), 0.1 * blank_mm2);
   const CutAreas cut = map.cutAreas();
-  work.cut_mm2 = std::min(cut.all_mm2, work.surface_mm2);
-  work.flat_mm2 = cut.flat_mm2;
+  const double faces = std::min(strokes.faces_mm2(), std::max(0.0, work.surface_mm2 - cut.all_mm2));
+  work.cut_mm2 = std::min(cut.all_mm2 + faces, work.surface_mm2);
+  work.flat_mm2 = cut.flat_mm2 + faces;
   work.ruled_mm2 = cut.ruled_mm2;
   work.stepped_mm2 = cut.stepped_mm2;
   work.bends_mm = cut.bends_mm;
@@ -367,10 +557,12 @@ Workload together(const Workload& a, const Workload& b) {
         &Workload::stepped_mm2, &Workload::bends_mm, &Workload::uneven_mm2, &Workload::unmerged_mm2,
         &Workload::nominal_mm2, &Workload::fixture_mm2, &Workload::fixture_mesh_mm2, &Workload::pixels,
         &Workload::triangles, &Workload::thread_triangles, &Workload::groove_triangles, &Workload::turned_mm2,
-        &Workload::threaded_mm2, &Workload::blank_triangles})
+        &Workload::threaded_mm2, &Workload::blank_triangles, &Workload::blank_thin_mm})
     both.*member = std::max(a.*member, b.*member);
   both.swept_mm2 += b.swept_mm2;
   for (int kind = 0; kind < kCurveKinds; ++kind) add(both.curves[kind], b.curves[kind]);
+  both.lean_asked += b.lean_asked;
+  both.turn_asked += b.turn_asked;
   both.pictures = std::max(a.pictures, b.pictures);
   both.motions += b.motions;
   both.turned_motions += b.turned_motions;
@@ -414,6 +606,7 @@ Cells cellsOf(const Workload& work, double resolution_mm) {
 }
 
 /// What reading, writing and making a stock from a mesh take on top of the stock, bytes; one after the other.
+/// Their module stays in memory behind them.
 double moduleBytes(const Workload& work, const Cells& cells) {
   const double meshed =
       std::max(work.blank_triangles > 0.0 || work.mesh_moves > 0 ? cells.surface : 0.0, cells.fixture_mesh);
@@ -421,7 +614,7 @@ double moduleBytes(const Workload& work, const Cells& cells) {
   const double saved =
       work.reads_grid || work.writes_grid ? cells.surface * kBytesPerSavedCell + threads : 0.0;
   const double made = std::max(work.blank_triangles * kBytesPerBlankTriangle, meshed * kBytesPerMeshedCell);
-  return saved + made > 0.0 ? 1e6 * kModuleMb + std::max(saved, made) : 0.0;
+  return std::max(saved, made);
 }
 
 /// The renderer's search tree and normals, and what pixels show.
@@ -441,11 +634,12 @@ double memoryMb(const Workload& work, const Cells& cells) {
   // Pictures are drawn while the part is compared, in what removal and meshing gave back; files come behind
   // both, which give their memory back.
   const double looking = std::max(0.0, comparing + drawingBytes(work, cells) - kGivenBack * stock);
-  return kBaseMb + 1e-6 * (stock + work.triangles * kBytesPerTriangle +
-                           work.groove_triangles * kBytesPerGrooveTriangle +
-                           static_cast<double>(work.motions) * kBytesPerMotion +
-                           static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion +
-                           std::max(looking, moduleBytes(work, cells)));
+  const double module = moduleBytes(work, cells);
+  return kBaseMb + (module > 0.0 ? kModuleMb : 0.0) +
+         1e-6 *
+             (stock + work.triangles * kBytesPerTriangle + work.groove_triangles * kBytesPerGrooveTriangle +
+              static_cast<double>(work.motions) * kBytesPerMotion +
+              static_cast<double>(work.turned_motions) * kBytesPerTurnedMotion + std::max(looking, module));
 }
 
 double curveBytes(const Workload& work, double resolution_mm) {
@@ -454,7 +648,11 @@ double curveBytes(const Workload& work, double resolution_mm) {
   for (const CurveKind kind :
        {CurveKind::kLevelSpiral, CurveKind::kSpiral, CurveKind::kUndercutSpiral, CurveKind::kPlainSpiral})
     parts += of(kind).chords;
-  return of(CurveKind::kChords).chords * kBytesPerChord + parts * kBytesPerPart +
+  const double leaning = of(CurveKind::kLeanLine).chords + of(CurveKind::kLeanSearched).chords +
+                         of(CurveKind::kLeanArc).chords + of(CurveKind::kLeanChords).chords,
+               turning = of(CurveKind::kTurns).chords + of(CurveKind::kTurnsSearched).chords;
+  return of(CurveKind::kChords).chords * kBytesPerChord + parts * kBytesPerPart + leaning * kBytesPerLeaning +
+         turning * kBytesPerTurning + of(CurveKind::kPoses).chords * kBytesPerPose +
          of(CurveKind::kUndercutSpiral).columns_mm2 / (resolution_mm * resolution_mm) *
              kBytesPerUndercutColumn;
 }
@@ -466,6 +664,7 @@ double curveS(const Workload& work, double resolution_mm) {
                               ? resolution_mm  // strips, 1 mm wide
                               : resolution_mm * resolution_mm;
     seconds += work.curves[kind].columns_mm2 / a_cell * kSecondsPerChordColumn[kind];
+    if (kind >= kFirstTilted) seconds += work.curves[kind].chords * kSecondsPerTilted[kind - kFirstTilted];
   }
   return seconds;
 }
@@ -490,10 +689,12 @@ double sectionS(const Workload& work) {
 }
 
 /// Stocks from meshes.
-double meshedS(const Workload& work, const Cells& cells) {
-  const double from_mesh = work.blank_triangles > 0.0 ? work.blank_triangles * kSecondsPerBlankTriangle +
-                                                            cells.surface * kSecondsPerMeshedCell
-                                                      : 0.0;
+double meshedS(const Workload& work, const Cells& cells, double resolution_mm) {
+  const double from_mesh = work.blank_triangles > 0.0
+                               ? work.blank_triangles * kSecondsPerBlankTriangle +
+                                     cells.surface * kSecondsPerMeshedCell +
+                                     work.blank_thin_mm / resolution_mm * kSecondsPerThinCell
+                               : 0.0;
   return from_mesh + work.mesh_moves * cells.surface * kSecondsPerMovedCell;
 }
 
@@ -511,7 +712,9 @@ double comparisonS(const Workload& work, const Cells& cells, double resolution_m
   // Bodies without a grid have about the surface of the nominal.
   const double nominal = work.nominal_mm2 / (resolution_mm * resolution_mm),
                samples = nominal + (cells.surface > 0.0 ? cells.surface : nominal);
-  return std::min(samples, kMostSamples) * kSecondsPerComparedCell +
+  const double asked = work.lean_asked * kSecondsPerAskedLeaning + work.turn_asked * kSecondsPerAskedTurning +
+                       (work.blank_thin_mm > 0.0 ? kSecondsPerAskedThin : 0.0);
+  return std::min(samples, kMostSamples) * (kSecondsPerComparedCell + asked) +
          std::min(cells.cut + cells.uneven, kMostSamples) * kSecondsPerComparedCut;
 }
 
@@ -528,8 +731,8 @@ double drawingS(const Workload& work, const Cells& cells) {
 
 /// What threads share.
 double parallelS(const Workload& work, const Cells& cells, double resolution_mm) {
-  return kBaseS + stockS(work, cells) + sectionS(work) + meshedS(work, cells) + drawingS(work, cells) +
-         comparisonS(work, cells, resolution_mm) + curveS(work, resolution_mm);
+  return kBaseS + stockS(work, cells) + sectionS(work) + meshedS(work, cells, resolution_mm) +
+         drawingS(work, cells) + comparisonS(work, cells, resolution_mm) + curveS(work, resolution_mm);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/mesh/tri_mesh.h"
 #include "core/path/toolpath.h"
 #include "core/tool/tool.h"
 #include "removal/grid/stock_shape.h"
@@ -21,7 +22,9 @@ struct CurveWork {
 };
 /// Helices: about z; undercut: with tools that are wider below than above, but discs. Arcs: upright or
 /// leaning; flanked: with undercut tools that have flanks. Spirals: about z, level or as helices whose radius
-/// changes. Of these parts count, not chords.
+/// changes. Of these parts count, not chords. Lean...: with a tool that leans and stands; lines and circles
+/// about its axis count, or the chords of other curves; searched: column by column, where kernels do not know
+/// the tool. Turns: while the tool turns, motions and what each piece covers; poses: the same of each pose.
 enum class CurveKind {
   kHelix,
   kUndercutHelix,
@@ -31,9 +34,16 @@ enum class CurveKind {
   kSpiral,
   kUndercutSpiral,
   kPlainSpiral,
-  kChords  ///< leaning arcs of tools that have no vectors there
+  kChords,  ///< leaning arcs of tools that have no vectors there
+  kLeanLine,
+  kLeanSearched,
+  kLeanArc,
+  kLeanChords,
+  kTurns,
+  kPoses,
+  kTurnsSearched
 };
-inline constexpr int kCurveKinds = 9;
+inline constexpr int kCurveKinds = 16;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
@@ -48,8 +58,10 @@ struct Workload {
       0.0;  ///< of the part, in plan view: neither flat nor a wall; its triangles are not merged
   double swept_mm2 = 0.0;  ///< plan area that the tools pass over, each motion counted; along lines twice
   std::array<CurveWork, kCurveKinds> curves;
-  double nominal_mm2 = 0.0;       ///< of the model that the part is compared with; 0: no comparison
-  double fixture_mm2 = 0.0;       ///< of fixtures that tools come near to
+  double lean_asked = 0.0;   ///< bodies of tools that lean whose box holds a point of the blank, on average
+  double turn_asked = 0.0;   ///< the same of pieces of tools that turn
+  double nominal_mm2 = 0.0;  ///< of the model that the part is compared with; 0: no comparison
+  double fixture_mm2 = 0.0;  ///< of fixtures that tools come near to
   double fixture_mesh_mm2 = 0.0;  ///< of those that are meshes
   double pixels = 0.0;            ///< of one picture; 0: none is drawn
   int pictures = 0;
@@ -62,6 +74,7 @@ struct Workload {
   double turned_mm2 = 0.0;           ///< surface of a part from half sections that goes to a grid
   double threaded_mm2 = 0.0;         ///< of that what threads run over
   double blank_triangles = 0.0;      ///< of a mesh that the blank is made from
+  double blank_thin_mm = 0.0;        ///< of these that are long and thin: their lengths
   bool reads_grid = false;           ///< from a saved stock
   bool writes_grid = false;          ///< as a saved stock
   int text_files = 0;                ///< meshes written as text
@@ -74,6 +87,9 @@ struct Prediction {
   double time_s = 0.0;     ///< wall time with two cores where it was measured (machine_speed.h)
   double serial_s = 0.0;   ///< of that, what one thread does alone
 };
+
+/// Sum of the longest sides of a mesh's long and thin triangles, mm: many of them meet each place.
+double thinLength(const TriMesh& mesh);
 
 /// Surface of the blank, mm2. Of a saved stock: of its bounds.
 double blankArea(const StockShape& shape, const Box3& bounds);

@@ -164,7 +164,17 @@ class PathEmitter {
   void sendByAxes(Motion motion, const AxisPoint& to);
   bool sendHeld(Motion motion, const AxisPoint& to, const PoseTrack& track, const MotionPace* pace,
                 const MotionJoin& join);
+  /// A piece of such a way by a law that may serve for it.
+  struct PosedPart {
+    Motion motion;
+    AxisSweep sweep;
+    std::optional<ArcGeometry> arc;
+  };
+  PosedPart partTo(const AxisPoint& to, PoseLaw law, const ArcGeometry* arc);
+  /// Whether the machine goes along it from one share of its way to another.
+  bool follows(const PosedPart& part, const PoseTrack& track, double low, double high) const;
   void sendFollowed(const Motion& motion, const PoseTrack& track);
+  void checkSwing(const PoseTrack& track, double low, double high, const SourceRef& source);
   MotionPace trackPace(const PoseTrack& track, const FeedStyle* style) const;
   PoseSweep poseTowards(const AxisPoint& to) const;
   ToolPose toolPose(const AxisPoint& machine) const {

@@ -1,6 +1,7 @@
 // Motions during which rotary axes turn the tool: by the law of the machine's axes, or with the tip held on
 // its way by the control.
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/nc/stages/path_emitter.h"
@@ -19,6 +20,8 @@ constexpr int kMostHalvings = 12;
 constexpr double kSameAxis = 1e-12;
 /// Tips that move less stay.
 constexpr double kStaysMm = 1e-6;
+/// Shares of a piece at which it is looked at.
+constexpr std::array<double, 2> kPieceProbes{0.5, 0.25};
 /// Places at which the speed of the axes is looked at.
 constexpr int kSpeedSteps = 16;
 
@@ -110,10 +113,10 @@ bool PathEmitter::sendHeld(Motion motion, const AxisPoint& to, const PoseTrack& 
     sweep.law = PoseLaw::kVector;
     arc.center += pose.beyond * sweep.from;
   }
-  // The linear axes may swing beyond both ends.
-  for (int i = 1; any_limit_ && i <= kSpeedSteps; ++i) {
+  checkSwing(track, 0.0, 1.0, motion.source);
+  if (any_limit_) {
     const AxisPoint last = machine_;
-    machine_ = i == kSpeedSteps ? to : track.at(static_cast<double>(i) / kSpeedSteps);
+    machine_ = to;
     checkMachineTravel(last, motion.source);
   }
   machine_ = to;
@@ -127,26 +130,80 @@ bool PathEmitter::sendHeld(Motion motion, const AxisPoint& to, const PoseTrack& 
   return true;
 }
 
-/// The way as the machine follows it, in pieces along which its axes go linearly.
+/// From where the machine stands, by one law; with `arc` along its part between the ends.
+PathEmitter::PosedPart PathEmitter::partTo(const AxisPoint& to, PoseLaw law, const ArcGeometry* arc) {
+  PosedPart part;
+  part.motion.from = toolPoint(machine_);
+  part.motion.to = toolPoint(to);
+  part.sweep = *sweepTo(to);
+  part.sweep.law = law;
+  part.sweep.pose = std::make_shared<const PoseSweep>(poseTowards(to));
+  if (arc == nullptr) return part;
+  // The ends are on it but for what the data are off: it is a spiral from one to the other.
+  const Vec3 from = part.motion.from - arc->center, end = part.motion.to - arc->center;
+  const double about = std::atan2(arc->normal.dot(from.cross(end)),
+                                  from.dot(end) - arc->normal.dot(from) * arc->normal.dot(end));
+  part.arc = *arc;
+  part.arc->sweep_rad += std::remainder(about - arc->sweep_rad, 2.0 * kPi);
+  return part;
+}
+
+bool PathEmitter::follows(const PosedPart& part, const PoseTrack& track, double low, double high) const {
+  const PosedWay way(part.motion, part.arc ? &*part.arc : nullptr, part.sweep);
+  // Two places: a way that crosses its chord in the middle is seen at the other.
+  return std::all_of(kPieceProbes.begin(), kPieceProbes.end(), [&](double share) {
+    return alike(way.at(share), toolPose(track.at(low + share * (high - low))), kPieceMm);
+  });
+}
+
+/// The way as the machine follows it, in pieces along which its rotary axes go linearly, and the others as
+/// well or so that the tip goes along a line or a part of the programmed arc: what the data are off is small
+/// beside the way of the linear axes, which swing with the rotary ones.
 void PathEmitter::sendFollowed(const Motion& motion, const PoseTrack& track) {
-  const std::function<void(double, double, int)> halve = [&](double low, double high, int left) {
+  time_.flush();
+  std::optional<ArcGeometry> arc;
+  if (track.arc) {
+    const Vec3 center = toolPoint(track.arc->center);
+    arc = {center, (toolPoint(track.arc->above) - center).normalized(), track.arc->sweep_rad};
+  }
+  const auto sent = [&](double low, double high, bool any) {
     const AxisPoint to = track.at(high);
-    // Two places: a way that crosses its chord in the middle is seen at the other.
-    const auto isNear = [&](double share) {
-      return alike(toolPose(between(machine_, to, share)), toolPose(track.at(low + share * (high - low))),
-                   kPieceMm);
-    };
-    if (left > 0 && !(isNear(0.5) && isNear(0.25))) {
-      const double middle = 0.5 * (low + high);
-      halve(low, middle, left - 1);
-      halve(middle, high, left - 1);
-      return;
+    for (const PoseLaw law : {PoseLaw::kAxes, PoseLaw::kTip}) {
+      std::optional<ArcGeometry> along;
+      if (law == PoseLaw::kTip && arc) along = {arc->center, arc->normal, arc->sweep_rad * (high - low)};
+      PosedPart part = partTo(to, law, along ? &*along : nullptr);
+      if (!any && !follows(part, track, low, high)) continue;
+      Motion& m = part.motion;
+      const Motion ends = m;
+      m = motion;
+      m.from = ends.from, m.to = ends.to;
+      m.time_s = motion.time_s * (high - low);
+      const ArcGeometry* const curve = part.arc ? &*part.arc : nullptr;
+      const double length = m.kind == MotionKind::kRapid ? 0.0 : PosedWay(m, curve, part.sweep).length();
+      checkSwing(track, low, high, m.source);
+      sendPiece(m, to, curve, length, &part.sweep);
+      return true;
     }
-    Motion piece = motion;
-    piece.time_s = motion.time_s * (high - low);
-    sendByAxes(piece, to);
+    return false;
+  };
+  const std::function<void(double, double, int)> halve = [&](double low, double high, int left) {
+    if (sent(low, high, left == 0)) return;
+    const double middle = 0.5 * (low + high);
+    halve(low, middle, left - 1);
+    halve(middle, high, left - 1);
   };
   halve(0.0, 1.0, kMostHalvings);
+}
+
+/// The linear axes may swing beyond both ends of a way whose tip is held.
+void PathEmitter::checkSwing(const PoseTrack& track, double low, double high, const SourceRef& source) {
+  const AxisPoint start = machine_;
+  for (int i = 1; any_limit_ && i < kSpeedSteps; ++i) {
+    const AxisPoint last = machine_;
+    machine_ = track.at(low + (high - low) * i / kSpeedSteps);
+    checkMachineTravel(last, source);
+  }
+  machine_ = start;
 }
 
 void PathEmitter::poseTo(const AxisPoint& to, const PoseTrack& track, const FeedStyle* style,

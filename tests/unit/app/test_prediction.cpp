@@ -210,6 +210,70 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   expectMore("threads on a grid", true, [](Workload& w) { w.threaded_mm2 = 1e4; });
   expectMore("round walls", false, [](Workload& w) { w.bends_mm = 1e4; });
   expectMore("terraces", false, [](Workload& w) { w.stepped_mm2 = 1e4; });
+  const auto curve = [](CurveKind kind) {
+    return [kind](Workload& w) { w.curves[static_cast<std::size_t>(kind)] = {1e3, 1e5}; };
+  };
+  expectMore("leaning lines", true, curve(CurveKind::kLeanLine));
+  expectMore("leaning lines, searched", true, curve(CurveKind::kLeanSearched));
+  expectMore("leaning circles", true, curve(CurveKind::kLeanArc));
+  expectMore("chords of leaning curves", true, curve(CurveKind::kLeanChords));
+  expectMore("turning tools", true, curve(CurveKind::kTurns));
+  expectMore("their poses", true, curve(CurveKind::kPoses));
+  expectMore("turning tools, searched", true, curve(CurveKind::kTurnsSearched));
+  expectMore("thin triangles", true, [](Workload& w) { w.blank_triangles = 1.0, w.blank_thin_mm = 1e6; });
+}
+
+TEST(Prediction, BodiesThatLeanAreAskedByTheComparison) {
+  Workload work;
+  work.surface_mm2 = work.nominal_mm2 = 1e4;
+  const double base = predict(work, 0.2).time_s;
+  work.lean_asked = 5.0;
+  const double leaning = predict(work, 0.2).time_s;
+  EXPECT_GT(leaning, base);
+  work.turn_asked = 5.0;
+  EXPECT_GT(predict(work, 0.2).time_s, leaning);
+}
+
+/// A line on which the tool's axis is this, and that at its end.
+Toolpath tilted(const Vec3& from, const Vec3& to, const Vec3& axis_from, const Vec3& axis_to) {
+  Toolpath path;
+  path.motions = {feed(from, to)};
+  path.motions[0].axis = 0;
+  path.axes.resize(1);
+  path.axes[0].from = axis_from.normalized();
+  path.axes[0].to = axis_to.normalized();
+  return path;
+}
+
+TEST(Workload, ToolsThatLeanOrTurnHaveKindsOfTheirOwn) {
+  const auto of = [](const Toolpath& path, ToolType type, CurveKind kind) {
+    std::vector<Tool> tools = flat(6);
+    tools[0].type = type;
+    tools[0].corner_radius = 1.0;
+    return workloadOf(path, tools, kBlock, kBlockArea).curves[static_cast<std::size_t>(kind)];
+  };
+  const Vec3 lean(0.3, 0, 1), from(20, 25, -5), to(60, 25, -5);
+  const Toolpath leaning = tilted(from, to, lean, lean), turning = tilted(from, to, Vec3::UnitZ(), lean);
+  EXPECT_EQ(of(leaning, ToolType::kBall, CurveKind::kLeanLine).chords, 1.0);
+  EXPECT_NEAR(of(leaning, ToolType::kBall, CurveKind::kLeanLine).columns_mm2, 48 * 6, 30);
+  EXPECT_EQ(of(leaning, ToolType::kBull, CurveKind::kLeanSearched).chords, 1.0);
+  EXPECT_EQ(of(turning, ToolType::kFlat, CurveKind::kTurns).chords, 1.0);
+  EXPECT_EQ(of(turning, ToolType::kBull, CurveKind::kTurnsSearched).chords, 1.0);
+  // Poses stand by sqrt(8 r e), and the far end of the tool goes farther than its tip.
+  const double poses = of(turning, ToolType::kFlat, CurveKind::kPoses).chords;
+  EXPECT_GT(poses, 40 / std::sqrt(8 * 3 * 5e-5));
+  EXPECT_LT(poses, 60 / std::sqrt(8 * 3 * 5e-5));
+  const Toolpath away = tilted({20, 25, 30}, {60, 25, 30}, Vec3::UnitZ(), lean);
+  EXPECT_EQ(of(away, ToolType::kFlat, CurveKind::kTurns).chords, 0.0);
+}
+
+TEST(Workload, ToolsThatLieLeaveNoMoreThanTheFaceThatTheyAreSeenFrom) {
+  Toolpath path = tilted({10, -1, -5}, {90, -1, -5}, -Vec3::UnitY(), -Vec3::UnitY());
+  path.motions[0].from.y() = path.motions[0].to.y() = 1.0;
+  const Workload one = workloadOf(path, flat(6), kBlock, kBlockArea);
+  EXPECT_NEAR(one.cut_mm2, 6 * 80, 1.0);
+  path.motions.resize(50, path.motions[0]);
+  EXPECT_NEAR(workloadOf(path, flat(6), kBlock, kBlockArea).cut_mm2, 100 * 20, 1.0);
 }
 
 TEST(Prediction, FindsTheGridThatFits) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "app/session/causes/trial_budget.h"
 #include "app/session/session.h"
 #include "io/mesh_io.h"
 #include "tests/support/temporary_folder.h"
@@ -116,6 +117,52 @@ TEST_F(ProvenCauses, DepthOfAPocket) { expectWord("Z-4", "Z-3.4", 6, "Z-4."); }
 TEST_F(ProvenCauses, PlaceOfAHole) { expectWord("X52", "X53.2", 23, "X52."); }
 TEST_F(ProvenCauses, RowOfTheRadius) { expectWord("D1", "D2", 7, "D1"); }
 TEST_F(ProvenCauses, StepOrPlace) { expectWord("G91 Y12", "G90 Y12", 26, "G91"); }
+
+TEST_F(ProvenCauses, WhatWasNotTriedIsCounted) {
+  // Two mistakes, which no single word explains, in a program of so many motions that few trials take as long.
+  std::string program = kProgram;
+  program.replace(program.find("G1 Z-4 F200"), 11, "G1 Z-3.4 F200");
+  program.replace(program.find("G3 X40 Y15.5 R5.5"), 17, "G3 X40 Y15.5 R7.5");
+  const auto untried = [&] {
+    const Result<RunResult> done = run(program);
+    std::size_t most = 0;
+    for (const Finding& f : done->findings) {
+      most = std::max(most, f.untried_causes);
+      if (!f.causes.empty() && f.causes.front().left_mm == 0.0) {
+        EXPECT_EQ(f.untried_causes, 0U);
+      }
+    }
+    return most;
+  };
+  EXPECT_EQ(untried(), 0U);
+  std::string passes;
+  for (int i = 0; i < 60000; ++i) passes += i % 2 == 0 ? "G1 X52\n" : "X50\n";
+  program.replace(program.find("T2 M6"), 5, "G0 X50 Y20\nG1 Z20 F900\n" + passes + "G0 Z50\nT2 M6");
+  EXPECT_GT(untried(), 0U);
+}
+
+TEST(TrialBudget, LargeTrialsCountForMore) {
+  TrialBudget budget(10, 2000.0);
+  budget.takeOne();
+  EXPECT_TRUE(budget.takeRest(1000.0));  // no less than one
+  budget.takeOne();
+  EXPECT_TRUE(budget.takeRest(10000.0));  // four more
+  budget.takeOne();
+  EXPECT_FALSE(budget.takeRest(9000.0));  // three are left
+  EXPECT_EQ(budget.refused(), 1U);
+  EXPECT_TRUE(budget.takeRest(8000.0));
+  EXPECT_TRUE(budget.isSpent());
+}
+
+TEST(TrialBudget, MotionsThatTurnTheToolAreLarge) {
+  Toolpath path;
+  path.motions.resize(3);
+  path.axes.resize(1);
+  path.axes[0].to = Vec3(0.1, 0, 1).normalized();
+  EXPECT_EQ(trialSize(path), 3.0);
+  path.motions[1].axis = 0;
+  EXPECT_GT(trialSize(path), 20.0);
+}
 
 TEST_F(ProvenCauses, RadiusThatWasEntered) {
   job.settings.radius_offsets[1].geometry = 0.0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/path/posed_way.h"
 #include "removal/exact/swept_part.h"
 
 namespace proveout {
@@ -107,6 +108,70 @@ TEST(ExactPart, IsTheBlankLessEveryPlaceOfTheTools) {
       const ExactPart::Sample s = (*part)->at(p, 100.0);
       if (depth > 0.0) {
         EXPECT_NEAR(-s.value, depth, gap) << p.transpose();
+      } else if (depth < -gap) {
+        EXPECT_GT(s.value, 0.0) << p.transpose();
+      }
+    }
+  }
+}
+
+/// Tools that tilt on their way, a whole turn of a cone included.
+Toolpath tiltingPath(std::mt19937& random) {
+  std::uniform_real_distribution<double> x(5, 35), y(5, 25), z(-6, -0.5), lean(-0.5, 0.5);
+  const auto point = [&] { return Vec3(x(random), y(random), z(random)); };
+  const auto axis = [&] { return Vec3(lean(random), lean(random), 1.0).normalized(); };
+  Toolpath path;
+  for (const int tool : {1, 2}) {
+    for (int i = 0; i < 3; ++i) {
+      Motion m;
+      m.kind = MotionKind::kFeed;
+      m.tool = tool;
+      m.from = point(), m.to = point();
+      AxisSweep sweep;
+      sweep.from = axis(), sweep.to = axis();
+      if (i == 2) {
+        const Vec3 center = m.from + Vec3(5, 0, 0);
+        m.to = m.from, m.arc = static_cast<std::int32_t>(path.arcs.size());
+        path.arcs.push_back({center, Vec3::UnitZ(), 2 * kPi});
+        sweep.to = sweep.from, sweep.law = PoseLaw::kCone;
+      }
+      m.axis = static_cast<std::int32_t>(path.axes.size());
+      path.axes.push_back(sweep);
+      path.motions.push_back(m);
+    }
+  }
+  return path;
+}
+
+TEST(ExactPart, ToolsThatTiltAreAskedInPiecesOfTheirWay) {
+  constexpr double kNear = 5.0, kReach = 20.0;
+  constexpr int kPlaces = 4000;
+  std::mt19937 random(14);
+  std::uniform_real_distribution<double> x(-1, 41), y(-1, 31), z(-11, 1);
+  std::vector<Tool> tools{flat(), ball()};
+  for (Tool& tool : tools) tool.flute_length = 40.0;
+  for (int round = 0; round < 4; ++round) {
+    const Toolpath path = tiltingPath(random);
+    const auto part = makeSweptPart(kBlank, {{&path, &tools, {}}});
+    ASSERT_TRUE(part.ok());
+    for (int i = 0; i < 40; ++i) {
+      const Vec3 p(x(random), y(random), z(random));
+      double depth = insideBlank(p), gap = 0.0;
+      for (const Motion& m : path.motions) {
+        const PosedWay way = posedWayOf(path, m);
+        ToolPose last = way.at(0.0);
+        for (int k = 0; k <= kPlaces; ++k) {
+          const ToolPose pose = way.at(static_cast<double>(k) / kPlaces);
+          gap = std::max(gap, (pose.tip - last.tip).norm() + kReach * (pose.axis - last.axis).norm());
+          last = pose;
+          const double up = (p - pose.tip).dot(pose.axis);
+          depth = std::min(
+              depth, fromTool(m.tool, Vec3((p - pose.tip - up * pose.axis).norm(), 0, up), Vec3::Zero()));
+        }
+      }
+      const ExactPart::Sample s = (*part)->at(p, kNear);
+      if (depth > 0.0) {
+        EXPECT_NEAR(-s.value, std::min(depth, kNear), gap) << p.transpose();
       } else if (depth < -gap) {
         EXPECT_GT(s.value, 0.0) << p.transpose();
       }

@@ -4,9 +4,14 @@
 // Rows: nct-3-G43.4 nct-3-G43.5 nct-3-G53.6 nct-25.14-G43.4 nct-25.14-G43.5 nct-25.14-G02G03 nct-25.14-F
 // nct-25.14-G49 nct-25.14-EX nct-25.15-G53.6 nct-25.15-BUF nct-25.16-G43.4P1 nct-25.16-G43.5P1 nct-25.16-P0
 // nct-25.16-ARC
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "core/nc/kinematics/five_axis_model.h"
 #include "core/path/posed_way.h"
@@ -201,6 +206,61 @@ TEST(TipControl, AWrongParameterShowsAlongTheWay) {
   }
   EXPECT_GT(pieces, 1);
   EXPECT_GT((last - Vec3(60, 60, -10)).norm(), 1.0);
+}
+
+/// Poses of a line's motions at these shares of its time.
+std::vector<ToolPose> posesOf(const Outcome& out, std::uint32_t line, int steps) {
+  std::vector<const Motion*> pieces;
+  double whole = 0.0, done = 0.0;
+  for (const Motion& m : out.path.motions) {
+    if (m.source.line != line) continue;
+    pieces.push_back(&m);
+    whole += m.time_s;
+  }
+  std::vector<ToolPose> poses;
+  std::size_t at = 0;
+  for (int k = 1; k <= steps && !pieces.empty(); ++k) {
+    const double time = whole * k / steps;
+    while (at + 1 < pieces.size() && done + pieces[at]->time_s < time) done += pieces[at++]->time_s;
+    poses.push_back(posedWayOf(out.path, *pieces[at]).at(std::min(1.0, (time - done) / pieces[at]->time_s)));
+  }
+  return poses;
+}
+
+TEST(TipControl, FewPiecesFollowAWrongParameter) {
+  // The table's axis is at Y300; the linear axes swing by some 400 mm, the error by 0.2.
+  constexpr int kSteps = 48;
+  ControlSettings settings = machineOf('T');
+  settings.parameters["N3214"] = 300.2;
+  const std::string start = "G54 G0 X0 Y0 Z100 A0 C0 S500 M3\nG43.4 ";
+  const auto check = [&](const std::string& head, const std::string& block, int most,
+                         const std::function<std::string(double)>& at) {
+    const Outcome whole = runOf(start + head + "\n" + block + " F1200", settings);
+    ASSERT_EQ(whole.error, "");
+    const auto pieces = std::count_if(whole.path.motions.begin(), whole.path.motions.end(),
+                                      [](const Motion& m) { return m.source.line == 3; });
+    EXPECT_LE(pieces, most) << block;
+    const std::vector<ToolPose> poses = posesOf(whole, 3, kSteps);
+    ASSERT_EQ(poses.size(), static_cast<std::size_t>(kSteps));
+    // At the ends of blocks the machine is where the control's equations put it.
+    std::string text = start + head;
+    for (int k = 1; k <= kSteps; ++k) text += "\n" + at(static_cast<double>(k) / kSteps) + " F1200";
+    const Outcome steps = runOf(text, settings);
+    ASSERT_EQ(steps.error, "");
+    for (int k = 0; k < kSteps; ++k) {
+      const ToolPose there = posesOf(steps, static_cast<std::uint32_t>(3 + k), 1).front();
+      const ToolPose& here = poses[static_cast<std::size_t>(k)];
+      EXPECT_LT((here.tip - there.tip).norm(), 7e-5) << block << " " << k;
+      EXPECT_LT((here.axis - there.axis).norm(), 7e-7) << block << " " << k;
+    }
+  };
+  check("X60 Y-60 Z-10 A-30 C-90 H1", "G1 Y60 A-45", 20,
+        [](double t) { return fmt::format("G1 Y{:.9f} A{:.9f}", -60 + 120 * t, -30 - 15 * t); });
+  check("X50 Y0 Z0 A-30 C-90 H1", "G3 X0 Y50 R50 C0 A-40", 80, [](double t) {
+    const double angle = 0.5 * kPi * t;
+    return fmt::format("G3 X{:.9f} Y{:.9f} R50 C{:.9f} A{:.9f}", 50 * std::cos(angle), 50 * std::sin(angle),
+                       -90 + 90 * t, -30 - 10 * t);
+  });
 }
 
 TEST(FiveAxisLines, WithoutTipControlTheTipLeavesItsLine) {
