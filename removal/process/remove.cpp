@@ -157,6 +157,11 @@ void addTo(std::atomic<double>& sum, double value) {
 /// Envelopes go before what they are around, which may take away what they are to come near to.
 void Remover::addPart(MotionId id, const ToolParts& tool, ToolParts::Part& part) {
   const Motion& m = path_.motions[id];
+  // Bodies of tools that lean or turn take much memory: most parts of them are far from the blank.
+  if (const MotionWay way = wayOf(path_, m);
+      (way.leans() || way.turns()) &&
+      !partBounds(*part.profile, way, path_.bounds(m), 2.0 * impl_.h).overlaps(impl_.blank))
+    return;
   const bool watched =
       watch_all_ || part.part != ToolPart::kCutter || m.kind == MotionKind::kRapid || m.spindle == 0.0;
   if (watched && needsEnvelope(m, part) && !track_.holds(wayOf(path_, m), tool, part, impl_.blank.max.z()))

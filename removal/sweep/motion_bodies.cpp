@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/path/posed_way.h"
 
 namespace proveout {
 
@@ -85,12 +86,27 @@ SweptField motionField(const ConvexProfile& profile, const MotionWay& way) {
   return SweptField(profile, m.from, m.to, way.arc);
 }
 
+/// Of a part whose tip stands still while its axis turns as on the way.
+static Box3 turningBounds(const ConvexProfile& profile, const MotionWay& way) {
+  constexpr double kMostTurn = 0.25;  // rad, to both sides of an axis that is looked at
+  constexpr int kMostLooks = 16;
+  const double reach = farthestFromTip(profile);
+  const PosedWay posed(way.motion, way.arc, *way.axis);
+  const double turn = 0.5 * posed.boundsOn(0.0, 1.0).axis.velocity, looks = std::ceil(turn / kMostTurn);
+  if (looks > kMostLooks) return Box3{Vec3::Constant(-reach), Vec3::Constant(reach)};
+  Box3 box;
+  const int count = std::max(1, static_cast<int>(looks));
+  for (int i = 0; i < count; ++i)
+    box.extend(
+        leaningBounds(profile, ToolFrame(posed.at((i + 0.5) / count).axis)).inflated(reach * turn / count));
+  return box;
+}
+
 Box3 partBounds(const ConvexProfile& profile, const MotionWay& way, const Box3& tip, double slack) {
   const double r = profile.maxRadius();
   if (way.turns()) {
-    // In any direction.
-    const double reach = std::hypot(r, std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-    return tip.inflated(reach + slack);
+    const Box3 part = turningBounds(profile, way);
+    return Box3{tip.min + part.min, tip.max + part.max}.inflated(slack);
   }
   const Box3 part = way.leans() ? leaningBounds(profile, ToolFrame(way.direction()))
                                 : Box3{Vec3(-r, -r, profile.zMin()), Vec3(r, r, profile.zMax())};

@@ -111,6 +111,7 @@ PosedTrack::PosedTrack(const MotionWay& way, double longest) {
       stretches_.push_back(
           stretchOf(posed, from + (to - from) * k / pieces, from + (to - from) * (k + 1) / pieces));
   }
+  stretches_.shrink_to_fit();
 }
 
 }  // namespace proveout

@@ -32,6 +32,7 @@ PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const
                      int last, int count)
     : solid_(&solid), share_(stretch.shareAt(static_cast<double>(first + last) / count - 1.0)) {
   const ConvexProfile& part = sweep.profile();
+  poses_.reserve(static_cast<std::size_t>(last - first + 1));
   for (int i = first; i <= last; ++i) {
     const PosedStretch::Pose pose = stretch.poseAt(2.0 * i / count - 1.0);
     poses_.push_back(poseAt(pose.tip, pose.axis));
