@@ -71,10 +71,10 @@ constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
     kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
     kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8, kTilted * 1e-8,
     kTilted * 7e-7,    kTilted * 5e-7,    kTilted * 1e-5,    kTilted * 2.5e-9,  0.0,
-    kTilted * 8e-9,    kTilted * 2.6e-8,  kTilted * 6e-5};
-/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on. Of all of these what
-/// cuts anew counts (kMostCover). Measured on two cores of an Intel Xeon with `bench_prediction --only "five
-/// axes" --threads 1`, by processor time.
+    kTilted * 8e-9,    kTilted * 3e-8,    kTilted * 6e-5};
+/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on. Of all but circles
+/// what cuts anew counts (kMostCover). Measured with `bench_prediction --only "five axes" --threads 1` and
+/// some longer programs on one thread of an AMD EPYC, by processor time; chords that lean are estimated.
 constexpr std::array<double, kCurveKinds - static_cast<int>(CurveKind::kLeanLine)> kSecondsPerTilted = {
     kTilted * 5e-5,  kTilted * 5e-5, kTilted * 5e-5, kTilted * 5e-5, 0.0, kTilted * 2.5e-4, 0.0, 0.0,
     kTilted * 2.8e-4};
