@@ -196,13 +196,38 @@ std::string fiveAxisFinishing(int lines, int moves_a_line, FinishingAxis axis) {
   return text + (axis == FinishingAxis::kUpright ? "G0Z100\nG49\nM30\n" : "G0Z20I0J0K1\nG49\nM30\n");
 }
 
-std::string fiveAxisJob(const std::string& program_file, const std::string& machine_file) {
+std::string fiveAxisJob(const std::string& program_file, const std::string& machine_file,
+                        const std::string& tool) {
   return fmt::format(
       "schema = \"proveout.job/1\"\nprogram = \"{}\"\ncontrol = \"nct\"\n[machine]\nfile = \"{}\"\n[stock]\n"
-      "shape = \"box\"\nmin = [0, 0, -20]\nmax = [100, 100, 0]\n[[tool]]\nnumber = 1\ntype = \"ball\"\n"
-      "diameter = 6\nflute_length = 30\noverall_length = 60\ngauge_length = 80\n[offsets.work]\n"
+      "shape = \"box\"\nmin = [0, 0, -20]\nmax = [100, 100, 0]\n[[tool]]\nnumber = 1\n{}\n"
+      "flute_length = 30\noverall_length = 60\ngauge_length = 80\n[offsets.work]\n"
       "G54 = [0, 0, 0]\n[offsets.length]\n1 = 80.0\n",
-      program_file, machine_file);
+      program_file, machine_file, tool);
+}
+
+std::string tiltedPocket(int layers) {
+  constexpr double kMiddle = 25.0, kCorner = 3.0, kStep = 0.8;
+  std::string text =
+      "T1 M6\nG0 G54 G17 G90 G49 Z100\nX0 Y0\nB-15 C0\nM3 S1000\nG43.1 H1\n"
+      "G68.1 X0 Y0 Z0 I0 J1 K0 R-15\n";
+  for (int layer = 1; layer <= layers; ++layer) {
+    fmt::format_to(std::back_inserter(text), "G0 X25 Y25\nZ30\nG1 Z{:.3f} F500\n", -kStep * layer);
+    for (double half = 4.0; half <= 17.0; half += 3.0) {
+      const double low = kMiddle - half, high = kMiddle + half;
+      fmt::format_to(std::back_inserter(text), "G1 X{:.3f} Y{:.3f} F2000\n", high, low + kCorner);
+      fmt::format_to(std::back_inserter(text), "Y{:.3f}\nG3 X{:.3f} Y{:.3f} R3\n", high - kCorner,
+                     high - kCorner, high);
+      fmt::format_to(std::back_inserter(text), "G1 X{:.3f}\nG3 X{:.3f} Y{:.3f} R3\n", low + kCorner, low,
+                     high - kCorner);
+      fmt::format_to(std::back_inserter(text), "G1 Y{:.3f}\nG3 X{:.3f} Y{:.3f} R3\n", low + kCorner,
+                     low + kCorner, low);
+      fmt::format_to(std::back_inserter(text), "G1 X{:.3f}\nG3 X{:.3f} Y{:.3f} R3\n", high - kCorner, high,
+                     low + kCorner);
+    }
+    text += "G0 Z30\n";
+  }
+  return text + "G0 Z100\nG69.1\nG49\nG0 Z100\nM30\n";
 }
 
 std::string arcsProgram() {

@@ -444,9 +444,9 @@ void addFiveAxis(const std::string& parts, std::vector<PredictedJob>& jobs) {
       if (word.front() != '-') name += " " + word;
     jobs.push_back({name, {}, {}, Words{parts + "/" + file + ".toml"} + more, "run", held_out});
   };
-  for (const char* file : {"tetrahedron/job-hh-255", "tetrahedron/job-tt-2512", "tetrahedron/job-ht-2512",
-                           "cone_frustum/job", "cone_frustum/tilted", "relief_cylinder/job", "impeller/job",
-                           "ruled_wall/job"}) {
+  for (const char* file :
+       {"tetrahedron/job-hh-255", "tetrahedron/job-tt-2512", "tetrahedron/job-ht-2512", "cone_frustum/job",
+        "cone_frustum/tilted", "relief_cylinder/job", "impeller/job", "ruled_wall/job"}) {
     part(file, {});
     part(file, Words{"--resolution", "0.25"} + kNoPictures);
   }
@@ -455,14 +455,14 @@ void addFiveAxis(const std::string& parts, std::vector<PredictedJob>& jobs) {
   part("relief_cylinder/job", {"--resolution", "0.15", "--view", "iso", "--view", "top"}, true);
   const auto finishing = [&](FinishingAxis axis, int lines, int moves, double grid_mm, bool held_out) {
     const std::string name = axis == FinishingAxis::kLeaning ? "leaning" : "turning";
-    jobs.push_back({fmt::format("five axes: ball {} {} x {} {:g}", name, lines, moves, grid_mm),
-                    {{"five.nc", [=] { return fiveAxisFinishing(lines, moves, axis); }},
-                     {"job.toml",
-                      [file = parts + "/machines/head_cb.toml"] { return fiveAxisJob("five.nc", file); }}},
-                    {},
-                    Words{"job.toml", "--resolution", fmt::format("{:g}", grid_mm)} + kNoPictures,
-                    "run",
-                    held_out});
+    jobs.push_back(
+        {fmt::format("five axes: ball {} {} x {} {:g}", name, lines, moves, grid_mm),
+         {{"five.nc", [=] { return fiveAxisFinishing(lines, moves, axis); }},
+          {"job.toml", [file = parts + "/machines/head_cb.toml"] { return fiveAxisJob("five.nc", file); }}},
+         {},
+         Words{"job.toml", "--resolution", fmt::format("{:g}", grid_mm)} + kNoPictures,
+         "run",
+         held_out});
   };
   for (const FinishingAxis axis : {FinishingAxis::kLeaning, FinishingAxis::kTurning}) {
     finishing(axis, 5, 1001, 0.1, false);
@@ -470,6 +470,28 @@ void addFiveAxis(const std::string& parts, std::vector<PredictedJob>& jobs) {
     finishing(axis, 20, 1001, 0.1, false);
     finishing(axis, 40, 50, 0.2, false);
     finishing(axis, 30, 200, 0.15, true);
+  }
+  const auto made = [&](const std::string& name, const std::function<std::string()>& program,
+                        const std::string& machine, const std::string& tool, double grid_mm, bool held_out) {
+    jobs.push_back(
+        {"five axes: " + name,
+         {{"five.nc", program},
+          {"job.toml", [=] { return fiveAxisJob("five.nc", parts + "/" + machine + ".toml", tool); }}},
+         {},
+         Words{"job.toml", "--resolution", fmt::format("{:g}", grid_mm)} + kNoPictures,
+         "run",
+         held_out});
+  };
+  const std::string flat = "type = \"flat\"\ndiameter = 6",
+                    bull = "type = \"bull\"\ndiameter = 6\ncorner_radius = 1";
+  for (const bool held_out : {false, true}) {
+    made(
+        "pocket that leans", [=] { return tiltedPocket(held_out ? 4 : 8); }, "tetrahedron/hh", flat,
+        held_out ? 0.13 : 0.1, held_out);
+    made(
+        "bull nose turning",
+        [=] { return fiveAxisFinishing(held_out ? 8 : 12, held_out ? 100 : 200, FinishingAxis::kTurning); },
+        "machines/head_cb", bull, held_out ? 0.2 : 0.25, held_out);
   }
 }
 

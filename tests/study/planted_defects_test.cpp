@@ -303,7 +303,7 @@ TEST_P(KernelExport, ARightPartHasNoErrorWithinTheChords) {
   const Bench bench(part, 0.02);
   for (const double tolerance : {0.05, 0.02, 0.01}) {
     Planted right = part.write({}, 0);
-    for (const std::string& key : {"gouge = ", "excess = "}) {
+    for (const std::string key : {"gouge = ", "excess = "}) {
       const std::size_t at = right.job.find(key + "0.05");
       ASSERT_NE(at, std::string::npos);
       right.job.replace(at, key.size() + 4, key + Writer::number(tolerance));

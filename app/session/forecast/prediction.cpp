@@ -68,14 +68,20 @@ constexpr double kTurning = 1.0, kLeaning = 1.0;
 constexpr double kTilted = 1.0;
 /// A column under a chord or a part, by CurveKind; under flanked arcs a cell of a strip along the columns.
 constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
-    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7,
-    kTurning * 4.5e-7, kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7,
-    kLeaning * 0.4e-8, kTilted * 4e-8,    kTilted * 2.3e-6,  kTilted * 2.4e-5,
-    kTilted * 2e-8,    kTilted * 5e-8,    kTilted * 3e-9,    kTilted * 6e-5};
-/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on.
-constexpr std::array<double, 7> kSecondsPerTilted = {
-    kTilted * 5e-5, kTilted * 5e-5, kTilted * 5e-5, 0.0, kTilted * 2.8e-4, 0.0, kTilted * 2.8e-4};
+    kTurning * 1.2e-8, kTurning * 1.1e-8, kLeaning * 1e-8,   kLeaning * 0.9e-7, kTurning * 4.5e-7,
+    kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8, kTilted * 1e-8,
+    kTilted * 7e-7,    kTilted * 5e-7,    kTilted * 1e-5,    kTilted * 2.5e-9,  0.0,
+    kTilted * 8e-9,    kTilted * 3e-8,    kTilted * 6e-5};
+/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on. Of all but circles
+/// what cuts anew counts (kMostCover). Measured with `bench_prediction --only "five axes" --threads 1` and
+/// some longer programs on one thread of an AMD EPYC, by processor time; chords that lean are estimated.
+constexpr std::array<double, kCurveKinds - static_cast<int>(CurveKind::kLeanLine)> kSecondsPerTilted = {
+    kTilted * 5e-5,  kTilted * 5e-5, kTilted * 5e-5, kTilted * 5e-5, 0.0, kTilted * 2.5e-4, 0.0, 0.0,
+    kTilted * 2.8e-4};
 constexpr int kFirstTilted = static_cast<int>(CurveKind::kLeanLine);
+/// Lines side by side pass over each place so many times, and only the first time most of it is there to be
+/// cut: the rest is culled. No more times are counted, as layers under each other have something to cut.
+constexpr double kMostCover = 10.0;
 /// Of spirals: what a column costs was measured for parts of this size.
 constexpr double kPartsPerTurn = 8.0, kSpiralGrowthMm = 1e-4;
 /// Arcs that rise by less along their axis, and whose axis is that level, are cut as upright ones.
@@ -84,11 +90,12 @@ constexpr double kSameMm = 1e-7, kLevelAxis = 1e-12;
 constexpr double kTurnsThatCount = 1.5;
 /// Under a part of a spiral: what the height map does not show.
 constexpr double kBytesPerUndercutColumn = 45.0;
-constexpr double kBytesPerChord = 2700.0;    ///< its passes, and their numbers in lists
-constexpr double kBytesPerPart = 1000.0;     ///< of a spiral: the same
-constexpr double kBytesPerLeaning = 1500.0;  ///< a body of a tool that leans
-/// Of a motion that turns the tool: its track and the bodies of all parts; and of each pose.
-constexpr double kBytesPerTurning = 8000.0, kBytesPerPose = 150.0;
+constexpr double kBytesPerChord = 2700.0;   ///< its passes, and their numbers in lists
+constexpr double kBytesPerPart = 1000.0;    ///< of a spiral: the same
+constexpr double kBytesPerLeaning = 300.0;  ///< bodies of a tool that leans
+/// Of a motion that turns the tool: its track and the bodies of those parts that come to the blank; and of
+/// each pose, tip and axis.
+constexpr double kBytesPerTurning = 2000.0, kBytesPerPose = 60.0;
 constexpr double kChordMm = 5e-5;
 /// Times the surface that the height map shows of what undercut tools leave.
 constexpr float kUndercutFaces = 2.0F;
@@ -113,7 +120,7 @@ constexpr double kSecondsPerMovedCell = 2.3e-6;     ///< a stock from that of th
 constexpr double kSecondsPerComparedCell = 0.8e-6;  ///< comparison: a sample
 constexpr double kSecondsPerComparedCut = 2.4e-6;   ///< on top of that where the part is not level
 /// And each body of a tool that leans or turns near it, and a blank of thin triangles.
-constexpr double kSecondsPerAskedLeaning = 1.1e-6, kSecondsPerAskedTurning = 1e-7,
+constexpr double kSecondsPerAskedLeaning = 0.65e-6, kSecondsPerAskedTurning = 1e-7,
                  kSecondsPerAskedThin = 1.5e-6;
 constexpr double kMostSamples = 2e6;                  ///< of both meshes
 constexpr double kSecondsPerDrawnTriangle = 5e-7;     ///< search tree and normals, for all pictures
@@ -141,6 +148,7 @@ constexpr double kChordsPerTurn = 24.0;
 
 void add(CurveWork& sum, const CurveWork& more) {
   sum.chords += more.chords;
+  sum.fresh += more.fresh;
   sum.columns_mm2 += more.columns_mm2;
 }
 
@@ -180,6 +188,8 @@ struct CutterSize {
   double length = 0.0;    ///< of what cuts, from the tip, mm
   bool ball = false;      ///< its end goes the same way however the tool leans
   bool known = true;      ///< kernels of tools that lean know it
+  bool corners = false;   ///< some of them are round
+  double bend = 0.0;      ///< least radius of what goes around its axis, mm: poses stand as close as it asks
   bool plain = false;     ///< kernels have vectors for rising spirals: flat and ball ends, bull noses
 };
 
@@ -200,6 +210,12 @@ std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
       size.known = size.ball || std::all_of(cutter.begin(), cutter.end(), [](const ConvexProfile& part) {
                      return poseSolid(part).zones > 0 && leastRadius(part) > 0.0;
                    });
+      size.corners = std::any_of(cutter.begin(), cutter.end(),
+                                 [](const ConvexProfile& part) { return poseSolid(part).corners; });
+      size.bend = size.footprint.radius;
+      for (const ConvexProfile& part : cutter) {
+        if (size.known && !size.ball) size.bend = std::min(size.bend, leastRadius(part));
+      }
     }
     out[tool.number] = size;
   }
@@ -270,6 +286,7 @@ class Strokes {
   double swept_mm2() const { return sum(&Part::swept_mm2); }
   double leanAsked() const { return sum(&Part::lean_asked); }
   double turnAsked() const { return sum(&Part::turn_asked); }
+  double tilted_mm2() const { return sum(&Part::tilted_mm2); }
   double faces_mm2() const {
     LeanFaces all;
     for (const Part& part : parts_) all.add(part.faces);
@@ -305,7 +322,7 @@ class Strokes {
   };
   struct Part {
     std::vector<Stroke> strokes;
-    double swept_mm2 = 0.0, lean_asked = 0.0, turn_asked = 0.0;
+    double swept_mm2 = 0.0, tilted_mm2 = 0.0, lean_asked = 0.0, turn_asked = 0.0;
     std::array<CurveWork, kCurveKinds> curves;
     LeanFaces faces;
   };
@@ -327,7 +344,7 @@ class Strokes {
                            : cutter.plain                   ? CurveKind::kPlainSpiral
                            : cutter.undercut                ? CurveKind::kUndercutSpiral
                                                             : CurveKind::kSpiral;
-    add(part.curves[static_cast<std::size_t>(kind)], {parts, parts * plan});
+    add(part.curves[static_cast<std::size_t>(kind)], {parts, parts, parts * plan});
   }
 
   /// The chords of a curve of which `segments` of forEachSegment come to the blank.
@@ -352,13 +369,13 @@ class Strokes {
     CurveKind kind = upright || cutter.plain ? CurveKind::kArc : CurveKind::kChords;
     if (cutter.flanked) kind = CurveKind::kFlankedArc;
     if (about_z) kind = cutter.bulges ? CurveKind::kUndercutHelix : CurveKind::kHelix;
-    add(part.curves[static_cast<std::size_t>(kind)], {chords, chords * plan});
+    add(part.curves[static_cast<std::size_t>(kind)], {chords, chords, chords * plan});
     if (kind == CurveKind::kFlankedArc && !upright)
-      add(part.curves[static_cast<std::size_t>(CurveKind::kChords)], {chords, 0.0});
+      add(part.curves[static_cast<std::size_t>(CurveKind::kChords)], {chords, chords, 0.0});
   }
 
   void addBody(CurveKind kind, double count, double columns_mm2, Part& part) const {
-    add(part.curves[static_cast<std::size_t>(kind)], {count, columns_mm2});
+    add(part.curves[static_cast<std::size_t>(kind)], {count, count, columns_mm2});
   }
 
   /// A tool that leans and stands. True: it comes to the blank.
@@ -373,9 +390,11 @@ class Strokes {
     part.lean_asked += share(common);
     const double shadow = common.x() * common.y();
     if (way.arc == nullptr) {
-      addBody(cutter.known ? CurveKind::kLeanLine : CurveKind::kLeanSearched, 1.0, shadow, part);
-    } else if (way.arc->normal.cross(way.direction()).norm() < kLevelAxis) {
-      addBody(CurveKind::kLeanArc, 1.0, shadow, part);
+      const bool kernel = cutter.known && !cutter.corners && std::abs(way.direction().z()) >= kLeastAxisRise;
+      addBody(kernel ? CurveKind::kLeanLine : CurveKind::kLeanSearched, 1.0, shadow, part);
+    } else if (way.arc->normal.cross(way.direction()).norm() < kLevelAxis &&
+               std::abs((motion.to - motion.from).dot(way.direction())) < kSameMm) {
+      addBody(cutter.corners ? CurveKind::kLeanCornerArc : CurveKind::kLeanArc, 1.0, shadow, part);
     } else {
       const double radius = std::max((motion.from - way.arc->center).norm(), kChordMm),
                    chords = std::abs(way.arc->sweep_rad) / std::sqrt(8.0 * kChordMm / radius);
@@ -388,7 +407,7 @@ class Strokes {
   /// A tool that turns on its way. True: it comes to the blank.
   bool addTurning(const Motion& motion, const CutterSize& cutter, Part& part) const {
     const PosedWay way = posedWayOf(path_, motion);
-    const double radius = std::max(cutter.footprint.radius, 0.01);
+    const double radius = std::max(cutter.bend, 0.01);
     double speed = 0.0;  // of the tool's farthest point, by the share of the motion
     constexpr int kPlaces = 4;
     for (int i = 0; i < kPlaces; ++i) {
@@ -412,7 +431,8 @@ class Strokes {
     part.turn_asked += asked;
     if (cutter.known) {
       addBody(CurveKind::kTurns, near, shadow, part);
-      addBody(CurveKind::kPoses, near * poses, shadow * poses / pieces, part);
+      addBody(cutter.ball ? CurveKind::kPoses : CurveKind::kEdgedPoses, near * poses, shadow * poses / pieces,
+              part);
     } else {
       addBody(CurveKind::kTurnsSearched, near, shadow, part);
     }
@@ -427,9 +447,11 @@ class Strokes {
   void addTilted(const Motion& motion, const MotionWay& way, const CutterSize& cutter, const Vec3& direction,
                  Part& part) const {
     const bool comes = way.turns() ? addTurning(motion, cutter, part) : addLeaning(motion, way, cutter, part);
-    if (!comes || isSteep(direction)) return;
-    const double length = std::min(path_.length(motion), blank_.size().sum());
-    part.faces.add(direction, 2.0 * cutter.footprint.radius * length, blank_.size());
+    if (!comes) return;
+    const double length = std::min(path_.length(motion), blank_.size().sum()),
+                 mm2 = 2.0 * cutter.footprint.radius * length;
+    part.tilted_mm2 += mm2;
+    if (!isSteep(direction)) part.faces.add(direction, mm2, blank_.size());
   }
   static bool isSteep(const Vec3& direction) { return direction.z() > kSteep; }
 
@@ -524,6 +546,18 @@ double blankArea(const StockShape& shape, const Box3& bounds) {
   return 2 * (s.x() * s.y() + s.y() * s.z() + s.z() * s.x());
 }
 
+/// Of bodies of tools that lean or turn: how many find something to cut, and of what they cover as much.
+/// Circles are cut in pockets, where each cuts anew.
+static void keepFresh(std::array<CurveWork, kCurveKinds>& curves, double tilted_mm2, double cut_mm2) {
+  const double cover = std::clamp(tilted_mm2 / std::max(cut_mm2, 1e-9), 1.0, kMostCover);
+  for (int kind = kFirstTilted; kind < kCurveKinds; ++kind) {
+    if (kind == static_cast<int>(CurveKind::kLeanArc) || kind == static_cast<int>(CurveKind::kLeanCornerArc))
+      continue;
+    curves[kind].fresh /= cover;
+    curves[kind].columns_mm2 /= cover;
+  }
+}
+
 Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const Box3& blank,
                     double blank_mm2) {
   const Strokes strokes(path, cutterSizes(tools), blank);
@@ -547,6 +581,7 @@ Workload workloadOf(const Toolpath& path, const std::vector<Tool>& tools, const 
   work.stepped_mm2 = cut.stepped_mm2;
   work.bends_mm = cut.bends_mm;
   work.uneven_mm2 = std::min(map.unevenArea(), work.surface_mm2);
+  keepFresh(work.curves, strokes.tilted_mm2(), work.cut_mm2);
   return work;
 }
 
@@ -649,10 +684,12 @@ double curveBytes(const Workload& work, double resolution_mm) {
        {CurveKind::kLevelSpiral, CurveKind::kSpiral, CurveKind::kUndercutSpiral, CurveKind::kPlainSpiral})
     parts += of(kind).chords;
   const double leaning = of(CurveKind::kLeanLine).chords + of(CurveKind::kLeanSearched).chords +
-                         of(CurveKind::kLeanArc).chords + of(CurveKind::kLeanChords).chords,
+                         of(CurveKind::kLeanArc).chords + of(CurveKind::kLeanCornerArc).chords +
+                         of(CurveKind::kLeanChords).chords,
                turning = of(CurveKind::kTurns).chords + of(CurveKind::kTurnsSearched).chords;
   return of(CurveKind::kChords).chords * kBytesPerChord + parts * kBytesPerPart + leaning * kBytesPerLeaning +
-         turning * kBytesPerTurning + of(CurveKind::kPoses).chords * kBytesPerPose +
+         turning * kBytesPerTurning +
+         (of(CurveKind::kPoses).chords + of(CurveKind::kEdgedPoses).chords) * kBytesPerPose +
          of(CurveKind::kUndercutSpiral).columns_mm2 / (resolution_mm * resolution_mm) *
              kBytesPerUndercutColumn;
 }
@@ -664,7 +701,7 @@ double curveS(const Workload& work, double resolution_mm) {
                               ? resolution_mm  // strips, 1 mm wide
                               : resolution_mm * resolution_mm;
     seconds += work.curves[kind].columns_mm2 / a_cell * kSecondsPerChordColumn[kind];
-    if (kind >= kFirstTilted) seconds += work.curves[kind].chords * kSecondsPerTilted[kind - kFirstTilted];
+    if (kind >= kFirstTilted) seconds += work.curves[kind].fresh * kSecondsPerTilted[kind - kFirstTilted];
   }
   return seconds;
 }

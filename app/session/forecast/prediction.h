@@ -18,13 +18,15 @@ namespace proveout {
 /// that are cut as bodies.
 struct CurveWork {
   double chords = 0.0;       ///< near the blank
-  double columns_mm2 = 0.0;  ///< sum of what they cover in plan view
+  double fresh = 0.0;        ///< of these, with tools that lean or turn: those that find something to cut
+  double columns_mm2 = 0.0;  ///< sum of what they cover in plan view; of the fresh ones
 };
 /// Helices: about z; undercut: with tools that are wider below than above, but discs. Arcs: upright or
 /// leaning; flanked: with undercut tools that have flanks. Spirals: about z, level or as helices whose radius
 /// changes. Of these parts count, not chords. Lean...: with a tool that leans and stands; lines and circles
 /// about its axis count, or the chords of other curves; searched: column by column, where kernels do not know
-/// the tool. Turns: while the tool turns, motions and what each piece covers; poses: the same of each pose.
+/// the tool, it has round corners or lies flat. Turns: while the tool turns, motions and what each piece
+/// covers; poses: the same of each pose, edged: of tools that do not end in a ball.
 enum class CurveKind {
   kHelix,
   kUndercutHelix,
@@ -38,12 +40,14 @@ enum class CurveKind {
   kLeanLine,
   kLeanSearched,
   kLeanArc,
+  kLeanCornerArc,  ///< with round corners
   kLeanChords,
   kTurns,
   kPoses,
+  kEdgedPoses,
   kTurnsSearched
 };
-inline constexpr int kCurveKinds = 16;
+inline constexpr int kCurveKinds = 18;
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {

@@ -211,14 +211,16 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   expectMore("round walls", false, [](Workload& w) { w.bends_mm = 1e4; });
   expectMore("terraces", false, [](Workload& w) { w.stepped_mm2 = 1e4; });
   const auto curve = [](CurveKind kind) {
-    return [kind](Workload& w) { w.curves[static_cast<std::size_t>(kind)] = {1e3, 1e5}; };
+    return [kind](Workload& w) { w.curves[static_cast<std::size_t>(kind)] = {1e3, 1e3, 1e5}; };
   };
   expectMore("leaning lines", true, curve(CurveKind::kLeanLine));
   expectMore("leaning lines, searched", true, curve(CurveKind::kLeanSearched));
   expectMore("leaning circles", true, curve(CurveKind::kLeanArc));
+  expectMore("leaning circles of bull noses", true, curve(CurveKind::kLeanCornerArc));
   expectMore("chords of leaning curves", true, curve(CurveKind::kLeanChords));
   expectMore("turning tools", true, curve(CurveKind::kTurns));
   expectMore("their poses", true, curve(CurveKind::kPoses));
+  expectMore("their poses, with edges", true, curve(CurveKind::kEdgedPoses));
   expectMore("turning tools, searched", true, curve(CurveKind::kTurnsSearched));
   expectMore("thin triangles", true, [](Workload& w) { w.blank_triangles = 1.0, w.blank_thin_mm = 1e6; });
 }
@@ -258,13 +260,28 @@ TEST(Workload, ToolsThatLeanOrTurnHaveKindsOfTheirOwn) {
   EXPECT_NEAR(of(leaning, ToolType::kBall, CurveKind::kLeanLine).columns_mm2, 48 * 6, 30);
   EXPECT_EQ(of(leaning, ToolType::kBull, CurveKind::kLeanSearched).chords, 1.0);
   EXPECT_EQ(of(turning, ToolType::kFlat, CurveKind::kTurns).chords, 1.0);
-  EXPECT_EQ(of(turning, ToolType::kBull, CurveKind::kTurnsSearched).chords, 1.0);
+  EXPECT_EQ(of(turning, ToolType::kBull, CurveKind::kTurns).chords, 1.0);
   // Poses stand by sqrt(8 r e), and the far end of the tool goes farther than its tip.
-  const double poses = of(turning, ToolType::kFlat, CurveKind::kPoses).chords;
+  const double poses = of(turning, ToolType::kFlat, CurveKind::kEdgedPoses).chords;
   EXPECT_GT(poses, 40 / std::sqrt(8 * 3 * 5e-5));
   EXPECT_LT(poses, 60 / std::sqrt(8 * 3 * 5e-5));
+  // Closer where corners of a radius of 1 are round.
+  EXPECT_NEAR(of(turning, ToolType::kBull, CurveKind::kEdgedPoses).chords, std::sqrt(3.0) * poses,
+              1e-6 * poses);
   const Toolpath away = tilted({20, 25, 30}, {60, 25, 30}, Vec3::UnitZ(), lean);
   EXPECT_EQ(of(away, ToolType::kFlat, CurveKind::kTurns).chords, 0.0);
+}
+
+TEST(Workload, WhereToolsThatTurnPassAgainLittleIsLeftForThem) {
+  const Vec3 lean(0.3, 0, 1);
+  Toolpath path = tilted({20, 25, -5}, {60, 25, -5}, Vec3::UnitZ(), lean);
+  const auto turns = [&] {
+    return workloadOf(path, flat(6), kBlock, kBlockArea).curves[static_cast<std::size_t>(CurveKind::kTurns)];
+  };
+  EXPECT_EQ(turns().fresh, turns().chords);
+  path.motions.resize(1000, path.motions[0]);
+  EXPECT_EQ(turns().chords, 1000.0);
+  EXPECT_NEAR(turns().fresh, 100.0, 1e-9);
 }
 
 TEST(Workload, ToolsThatLieLeaveNoMoreThanTheFaceThatTheyAreSeenFrom) {
