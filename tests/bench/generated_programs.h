@@ -24,7 +24,8 @@ std::string fiveAxisFinishing(int lines, int moves_a_line, FinishingAxis axis);
 std::string fiveAxisJob(const std::string& program_file, const std::string& machine_file,
                         const std::string& tool = "type = \"ball\"\ndiameter = 6");
 
-/// A pocket of `layers` layers with rounded corners in a plane that leans by 15 degrees, in a block 50 wide.
+/// A pocket of `layers` layers with rounded corners, its outermost way 34 wide, in a plane that leans by 15
+/// degrees.
 std::string tiltedPocket(int layers);
 
 /// Arcs in the plane XZ and ramps between them, as a ball finishes a trough: 222 motions in a block of 100 x

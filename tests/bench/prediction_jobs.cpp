@@ -486,7 +486,7 @@ void addFiveAxis(const std::string& parts, std::vector<PredictedJob>& jobs) {
                     bull = "type = \"bull\"\ndiameter = 6\ncorner_radius = 1";
   for (const bool held_out : {false, true}) {
     made(
-        "pocket that leans", [=] { return tiltedPocket(held_out ? 4 : 8); }, "tetrahedron/hh", flat,
+        "pocket that leans", [=] { return tiltedPocket(held_out ? 4 : 12); }, "machines/head_cb", flat,
         held_out ? 0.13 : 0.1, held_out);
     made(
         "bull nose turning",

@@ -120,7 +120,7 @@ constexpr double kSecondsPerMovedCell = 2.3e-6;     ///< a stock from that of th
 constexpr double kSecondsPerComparedCell = 0.8e-6;  ///< comparison: a sample
 constexpr double kSecondsPerComparedCut = 2.4e-6;   ///< on top of that where the part is not level
 /// And each body of a tool that leans or turns near it, and a blank of thin triangles.
-constexpr double kSecondsPerAskedLeaning = 0.65e-6, kSecondsPerAskedTurning = 1e-7,
+constexpr double kSecondsPerAskedLeaning = 0.65e-6, kSecondsPerAskedTurning = 0.6e-7,
                  kSecondsPerAskedThin = 1.5e-6;
 constexpr double kMostSamples = 2e6;                  ///< of both meshes
 constexpr double kSecondsPerDrawnTriangle = 5e-7;     ///< search tree and normals, for all pictures
