@@ -18,7 +18,6 @@ LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& sta
                    const PoseSolid& known)
     : track(poseTrack(poseAt(start, in.axis()), end - start)),
       solid(&known),
-      has_kernel(!known.corners && std::abs(in.axis().z()) >= kLeastAxisRise),
       profile(&of),
       frame(in),
       from(start),
@@ -26,6 +25,9 @@ LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& sta
       way(in.wayToTool(end - start)) {
   const Box3 tool = leaningBounds(of, frame);
   bounds = {start.cwiseMin(end) + tool.min, start.cwiseMax(end) + tool.max};
+  if (std::abs(in.axis().z()) < kLeastAxisRise) return;
+  const double steps = known.corners ? std::max(1.0, std::ceil((end - start).norm() / posesApart(of))) : 1.0;
+  poses = steps < kMostPoses ? static_cast<int>(steps) + 1 : 0;
 }
 
 ColumnSpan LeanLine::column(double x, double y) const {
@@ -36,8 +38,10 @@ ColumnSpan LeanLine::column(double x, double y) const {
 }
 
 void LeanLine::columns(const double* x, const double* y, int count, double* lo, double* hi) const {
-  const std::array<PoseAt, 2> ends{poseAt(from, frame.axis()), poseAt(to, frame.axis())};
-  columnKernels().poses({solid, ends.data(), 2, true}, x, y, count, lo, hi);
+  std::array<PoseAt, kMostPoses> at;
+  for (int i = 0; i < poses; ++i)
+    at[static_cast<std::size_t>(i)] = poseAt(from + (to - from) * i / (poses - 1), frame.axis());
+  columnKernels().poses({solid, at.data(), poses, !solid->corners}, x, y, count, lo, hi);
 }
 
 EdgeCut LeanLineBody::levelCut(const BodyContext&, const Vec3& a, double dx, double dy, double inside) const {

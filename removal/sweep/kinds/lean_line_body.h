@@ -21,7 +21,7 @@ struct LeanLine {
     return {frame.toTool(p - from), frame.toTool(along)};
   }
   ColumnSpan column(double x, double y) const;
-  /// As ColumnKernel. Requires `has_kernel`.
+  /// As ColumnKernel. Requires `poses`.
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
 
   PoseSpan span() const { return {solid, &track, 1, 0.0, bounds.min.data(), bounds.max.data()}; }
@@ -29,7 +29,10 @@ struct LeanLine {
   Box3 bounds;  ///< of the volume, workpiece frame
   PoseTrack track;
   const PoseSolid* solid;
-  bool has_kernel;  ///< else columns are found one by one
+  /// Of the kernels: the ends, or, of a short line of a part with round corners, as many as it needs. 0:
+  /// columns are found one by one.
+  int poses = 0;
+  static constexpr int kMostPoses = 33;
   const ConvexProfile* profile;
   ToolFrame frame;
   Vec3 from, to;  ///< of the tip, workpiece frame
@@ -44,7 +47,7 @@ struct LeanLineBody : ScalarBody<LeanLineBody> {
 
   Vec3 axis() const { return line->frame.axis(); }
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const {
-    if (!line->has_kernel) return ScalarBody::columns(x, y, count, lo, hi);
+    if (line->poses == 0) return ScalarBody::columns(x, y, count, lo, hi);
     line->columns(x, y, count, lo, hi);
   }
   void reach(const FourBlocks& blocks, double* low, double* high) const {

@@ -11,8 +11,7 @@ int PosePiece::posesOn(const PosedSweep& sweep, const PosedStretch& stretch) {
   const double turn = 2.0 * stretch.axis[0];
   if (std::abs(stretch.middleAxis().z()) - turn < kLeastAxisRise) return 0;
   const double way = 2.0 * stretch.mostShift(farthestFromTip(sweep.profile()));
-  const double step = std::sqrt(8.0 * kPosesMm * leastRadius(sweep.profile()));
-  const double count = std::ceil(way / step);
+  const double count = std::ceil(way / posesApart(sweep.profile()));
   return count <= kMostOnStretch ? std::max(1, static_cast<int>(count)) : 0;  // 0 of a point as well
 }
 

@@ -18,9 +18,6 @@ namespace proveout {
 /// seen from the tool, by more than kPosesMm.
 class PosePiece {
  public:
-  /// What lies between two poses and is covered by neither, mm.
-  static constexpr double kPosesMm = 5e-5;
-
   /// Whether the kernels serve for all stretches: not where the tool lies too flat or a stretch has too many
   /// poses.
   static bool serves(const PosedSweep& sweep);

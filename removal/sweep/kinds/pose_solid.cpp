@@ -31,6 +31,8 @@ double farthestFromTip(const ConvexProfile& profile) {
   return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
 }
 
+double posesApart(const ConvexProfile& profile) { return std::sqrt(8.0 * kPosesMm * leastRadius(profile)); }
+
 /// Whether there is no edge between an element and the next.
 static bool goesOnSmoothly(const ConvexProfile& profile, int i) {
   constexpr double kSmooth = 1e-9;

@@ -10,6 +10,11 @@ namespace proveout {
 /// A tool whose axis rises less leaves rims that the kernels do not follow.
 inline constexpr double kLeastAxisRise = 0.25;
 
+/// What lies between two poses of a run and is covered by neither, mm: faces that bend by the least radius
+/// leave no more where no point goes farther from one to the next than posesApart.
+inline constexpr double kPosesMm = 5e-5;
+double posesApart(const ConvexProfile& profile);
+
 /// What the kernels know of a profile.
 PoseSolid poseSolid(const ConvexProfile& profile);
 
