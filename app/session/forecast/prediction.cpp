@@ -72,13 +72,13 @@ constexpr std::array<double, kCurveKinds> kSecondsPerChordColumn = {
     kTurning * 1.7e-6, kTurning * 3.3e-6, kTurning * 9.5e-7, kLeaning * 0.4e-8, kTilted * 1e-8,
     kTilted * 7e-7,    kTilted * 5e-7,    kTilted * 1e-5,    kTilted * 2.5e-9,  0.0,
     kTilted * 8e-9,    kTilted * 3e-8,    kTilted * 6e-5};
-/// And what each takes on top of that, removal and mesh, from CurveKind::kLeanLine on. Of all but circles
+/// And what each takes on top of that, removal and mesh, from CurveKind::kLeansOnLine on. Of all but circles
 /// what cuts anew counts (kMostCover). Measured with `bench_prediction --only "five axes" --threads 1` and
 /// some longer programs on one thread of an AMD EPYC, by processor time; chords that lean are estimated.
-constexpr std::array<double, kCurveKinds - static_cast<int>(CurveKind::kLeanLine)> kSecondsPerTilted = {
+constexpr std::array<double, kCurveKinds - static_cast<int>(CurveKind::kLeansOnLine)> kSecondsPerTilted = {
     kTilted * 5e-5,  kTilted * 5e-5, kTilted * 5e-5, kTilted * 5e-5, 0.0, kTilted * 2.5e-4, 0.0, 0.0,
     kTilted * 2.8e-4};
-constexpr int kFirstTilted = static_cast<int>(CurveKind::kLeanLine);
+constexpr int kFirstTilted = static_cast<int>(CurveKind::kLeansOnLine);
 /// Lines side by side pass over each place so many times, and only the first time most of it is there to be
 /// cut: the rest is culled. No more times are counted, as layers under each other have something to cut.
 constexpr double kMostCover = 10.0;
@@ -132,7 +132,7 @@ constexpr double kSecondsPerDeviationPixel = 0.5e-7;  ///< on top of that: dista
 /// Along a line more leaves are asked than over its ends, which the motions beside it have cut.
 constexpr double kLineCounts = 2.0;
 
-/// Poses of a tool that turns stand as close as those of PosePiece, 16 to a piece; more pieces are taken as
+/// Poses of a tool that turns stand as close as removal has them, 16 to a piece; more pieces are taken as
 /// these.
 constexpr double kPosesAPiece = 16.0, kPosesMm = 5e-5;
 constexpr int kMostLooked = 64;
@@ -391,10 +391,10 @@ class Strokes {
     const double shadow = common.x() * common.y();
     if (way.arc == nullptr) {
       const bool kernel = cutter.known && !cutter.corners && std::abs(way.direction().z()) >= kLeastAxisRise;
-      addBody(kernel ? CurveKind::kLeanLine : CurveKind::kLeanSearched, 1.0, shadow, part);
+      addBody(kernel ? CurveKind::kLeansOnLine : CurveKind::kLeanSearched, 1.0, shadow, part);
     } else if (way.arc->normal.cross(way.direction()).norm() < kLevelAxis &&
                std::abs((motion.to - motion.from).dot(way.direction())) < kSameMm) {
-      addBody(cutter.corners ? CurveKind::kLeanCornerArc : CurveKind::kLeanArc, 1.0, shadow, part);
+      addBody(cutter.corners ? CurveKind::kLeanCornerArc : CurveKind::kLeansOnArc, 1.0, shadow, part);
     } else {
       const double radius = std::max((motion.from - way.arc->center).norm(), kChordMm),
                    chords = std::abs(way.arc->sweep_rad) / std::sqrt(8.0 * kChordMm / radius);
@@ -551,7 +551,8 @@ double blankArea(const StockShape& shape, const Box3& bounds) {
 static void keepFresh(std::array<CurveWork, kCurveKinds>& curves, double tilted_mm2, double cut_mm2) {
   const double cover = std::clamp(tilted_mm2 / std::max(cut_mm2, 1e-9), 1.0, kMostCover);
   for (int kind = kFirstTilted; kind < kCurveKinds; ++kind) {
-    if (kind == static_cast<int>(CurveKind::kLeanArc) || kind == static_cast<int>(CurveKind::kLeanCornerArc))
+    if (kind == static_cast<int>(CurveKind::kLeansOnArc) ||
+        kind == static_cast<int>(CurveKind::kLeanCornerArc))
       continue;
     curves[kind].fresh /= cover;
     curves[kind].columns_mm2 /= cover;
@@ -683,8 +684,8 @@ double curveBytes(const Workload& work, double resolution_mm) {
   for (const CurveKind kind :
        {CurveKind::kLevelSpiral, CurveKind::kSpiral, CurveKind::kUndercutSpiral, CurveKind::kPlainSpiral})
     parts += of(kind).chords;
-  const double leaning = of(CurveKind::kLeanLine).chords + of(CurveKind::kLeanSearched).chords +
-                         of(CurveKind::kLeanArc).chords + of(CurveKind::kLeanCornerArc).chords +
+  const double leaning = of(CurveKind::kLeansOnLine).chords + of(CurveKind::kLeanSearched).chords +
+                         of(CurveKind::kLeansOnArc).chords + of(CurveKind::kLeanCornerArc).chords +
                          of(CurveKind::kLeanChords).chords,
                turning = of(CurveKind::kTurns).chords + of(CurveKind::kTurnsSearched).chords;
   return of(CurveKind::kChords).chords * kBytesPerChord + parts * kBytesPerPart + leaning * kBytesPerLeaning +

@@ -37,9 +37,9 @@ enum class CurveKind {
   kUndercutSpiral,
   kPlainSpiral,
   kChords,  ///< leaning arcs of tools that have no vectors there
-  kLeanLine,
+  kLeansOnLine,
   kLeanSearched,
-  kLeanArc,
+  kLeansOnArc,
   kLeanCornerArc,  ///< with round corners
   kLeanChords,
   kTurns,

@@ -213,9 +213,9 @@ TEST(Prediction, EveryPartOfTheWorkCounts) {
   const auto curve = [](CurveKind kind) {
     return [kind](Workload& w) { w.curves[static_cast<std::size_t>(kind)] = {1e3, 1e3, 1e5}; };
   };
-  expectMore("leaning lines", true, curve(CurveKind::kLeanLine));
+  expectMore("leaning lines", true, curve(CurveKind::kLeansOnLine));
   expectMore("leaning lines, searched", true, curve(CurveKind::kLeanSearched));
-  expectMore("leaning circles", true, curve(CurveKind::kLeanArc));
+  expectMore("leaning circles", true, curve(CurveKind::kLeansOnArc));
   expectMore("leaning circles of bull noses", true, curve(CurveKind::kLeanCornerArc));
   expectMore("chords of leaning curves", true, curve(CurveKind::kLeanChords));
   expectMore("turning tools", true, curve(CurveKind::kTurns));
@@ -256,8 +256,8 @@ TEST(Workload, ToolsThatLeanOrTurnHaveKindsOfTheirOwn) {
   };
   const Vec3 lean(0.3, 0, 1), from(20, 25, -5), to(60, 25, -5);
   const Toolpath leaning = tilted(from, to, lean, lean), turning = tilted(from, to, Vec3::UnitZ(), lean);
-  EXPECT_EQ(of(leaning, ToolType::kBall, CurveKind::kLeanLine).chords, 1.0);
-  EXPECT_NEAR(of(leaning, ToolType::kBall, CurveKind::kLeanLine).columns_mm2, 48 * 6, 30);
+  EXPECT_EQ(of(leaning, ToolType::kBall, CurveKind::kLeansOnLine).chords, 1.0);
+  EXPECT_NEAR(of(leaning, ToolType::kBall, CurveKind::kLeansOnLine).columns_mm2, 48 * 6, 30);
   EXPECT_EQ(of(leaning, ToolType::kBull, CurveKind::kLeanSearched).chords, 1.0);
   EXPECT_EQ(of(turning, ToolType::kFlat, CurveKind::kTurns).chords, 1.0);
   EXPECT_EQ(of(turning, ToolType::kBull, CurveKind::kTurns).chords, 1.0);
