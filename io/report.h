@@ -82,8 +82,8 @@ struct Finding {
   /// Words and data that were not put otherwise, as trials had taken about as much as the run itself; 0 where
   /// one of those that were leaves nothing of the finding.
   std::size_t untried_causes = 0;
-  bool known = false;              ///< the baseline has it: it does not count for the verdict
-  std::string worse;  ///< by what it is beyond what the baseline has; empty: it is not, or is new
+  bool known = false;  ///< the baseline has it: it does not count for the verdict
+  std::string worse;   ///< by what it is beyond what the baseline has; empty: it is not, or is new
 };
 
 /// One clamping of a job with setups.

@@ -144,8 +144,9 @@ std::string causeLine(const Cause& cause) {
   }
   if (cause.incremental) out += " (a step: words before it count as well)";
   if (cause.left_mm)
-    out += *cause.left_mm == 0.0 ? fmt::format("; with {} nothing of it is left", cause.with)
-                                 : fmt::format("; with {} {} mm of it are left", cause.with, figure(*cause.left_mm));
+    out += *cause.left_mm == 0.0
+               ? fmt::format("; with {} nothing of it is left", cause.with)
+               : fmt::format("; with {} {} mm of it are left", cause.with, figure(*cause.left_mm));
   return out;
 }
 
@@ -155,7 +156,8 @@ std::string causeNote(const Cause& cause) {
 }
 
 std::string untriedNote(const Finding& finding) {
-  return fmt::format("{} more {} not tried: trials took about as much as the run itself", finding.untried_causes,
+  return fmt::format("{} more {} not tried: trials took about as much as the run itself",
+                     finding.untried_causes,
                      finding.untried_causes == 1 ? "word or datum was" : "words and data were");
 }
 

@@ -41,7 +41,10 @@ class Proof {
  public:
   Proof(const Job& job, const RunSources& sources, const Blank& blank, const TriMesh& nominal,
         const std::vector<PatchFinding>& patches, RunResult& run, Progress& progress)
-      : scene_{job, run, sources}, bench_(job, sources, blank, nominal, run, progress), run_(run), budget_(bench_.budget()) {
+      : scene_{job, run, sources},
+        bench_(job, sources, blank, nominal, run, progress),
+        run_(run),
+        budget_(bench_.budget()) {
     untried_.resize(patches.size());
     if (!bench_.works() || patches.empty()) return;
     for (const PatchFinding& p : patches) reach_ = std::max(reach_, 1.5 * p.patch->depth_mm);
@@ -81,11 +84,14 @@ class Proof {
 
   static constexpr double kSlack = 1e-6;
   bool isOff(double d, double unsure = kSlack) const {
-    return d > run_.comparison->excess_tolerance_mm + unsure || -d > run_.comparison->gouge_tolerance_mm + unsure;
+    return d > run_.comparison->excess_tolerance_mm + unsure ||
+           -d > run_.comparison->gouge_tolerance_mm + unsure;
   }
-  /// The same behind a trial: the nominal's own facets are left, as far as they are known to stand for a round.
+  /// The same behind a trial: the nominal's own facets are left, as far as they are known to stand for a
+  /// round.
   bool isLeft(double d) const {
-    return isOff(d, kSlack + (run_.comparison->nominal_chord_in_doubt ? 0.0 : run_.comparison->nominal_chord_mm));
+    return isOff(
+        d, kSlack + (run_.comparison->nominal_chord_in_doubt ? 0.0 : run_.comparison->nominal_chord_mm));
   }
   /// Whether a trial puts a sample right that was off: within tolerance, and not as far off as before.
   bool isCured(std::size_t k, double d) const {
@@ -131,12 +137,13 @@ class Proof {
 
   const Outcome* run(const Suspect& suspect, const Trial& trial, std::string with,
                      std::optional<double> value = std::nullopt, bool usual = false) {
-    const auto same = std::find_if(outcomes_.begin(), outcomes_.end(), [&](const Outcome& o) {
-      return o.suspect == &suspect && o.with == with;
-    });
+    const auto same = std::find_if(outcomes_.begin(), outcomes_.end(),
+                                   [&](const Outcome& o) { return o.suspect == &suspect && o.with == with; });
     if (same != outcomes_.end()) return &*same;
     if (budget_.isSpent()) return nullptr;
-    Outcome out{&suspect, std::move(with), value, usual, bench_.deviations(trial, samples_, reach_, budget_), 0.0, 0.0};
+    Outcome out{
+        &suspect, std::move(with), value, usual, bench_.deviations(trial, samples_, reach_, budget_), 0.0,
+        0.0};
     if (out.deviations.size() != samples_.size()) return nullptr;
     for (std::size_t k = 0; k < samples_.size(); ++k) {
       if (!isOff(before_[k]) && isLeft(out.deviations[k])) out.spoiled += 1.0 / off_;
@@ -157,22 +164,24 @@ class Proof {
   }
 
   void tryValues(const Suspect& suspect, const std::vector<std::size_t>& points) {
-    for (const Suspect::Other& other : suspect.others) run(suspect, other.trial, other.text, std::nullopt, !suspect.conventional);
+    for (const Suspect::Other& other : suspect.others)
+      run(suspect, other.trial, other.text, std::nullopt, !suspect.conventional);
     if (!suspect.put) return;
     for (const double value : suspect.usual) {
       const std::optional<Trial> trial = suspect.put(value);
       const Outcome* const out = trial ? run(suspect, *trial, suspect.text(value), value, true) : nullptr;
       if (out != nullptr && leftOf(out->deviations, points) == 0.0) return;
     }
-    // How deep the worst point is covered may be bounded by another face: then one of middling depth tells more.
+    // How deep the worst point is covered may be bounded by another face: then one of middling depth tells
+    // more.
     std::vector<std::size_t> by_depth = points;
     std::sort(by_depth.begin(), by_depth.end(),
               [&](std::size_t a, std::size_t b) { return std::abs(before_[a]) < std::abs(before_[b]); });
     if (!settle(suspect, points, by_depth.back())) settle(suspect, points, by_depth[by_depth.size() / 2]);
   }
 
-  /// The value that takes one point of a patch back to the nominal: it depends on the value about linearly. True: the
-  /// patch goes.
+  /// The value that takes one point of a patch back to the nominal: it depends on the value about linearly.
+  /// True: the patch goes.
   bool settle(const Suspect& suspect, const std::vector<std::size_t>& points, std::size_t at) {
     constexpr int kRounds = 3;
     double x0 = suspect.value, d0 = before_[at], x1 = x0 + suspect.first_step;
@@ -200,7 +209,8 @@ class Proof {
 
   /// With as few decimals as the tolerance allows: people write round numbers.
   double rounded(double value, const Suspect& suspect) const {
-    const double tolerance = std::min(run_.comparison->excess_tolerance_mm, run_.comparison->gouge_tolerance_mm);
+    const double tolerance =
+        std::min(run_.comparison->excess_tolerance_mm, run_.comparison->gouge_tolerance_mm);
     const double slack = 0.2 * tolerance * suspect.per_mm;
     double unit = 1.0;
     for (int decimals = 0; decimals < suspect.decimals; ++decimals, unit *= 0.1) {
@@ -235,7 +245,8 @@ class Proof {
     }
     const double depth = told.patch->depth_mm;
     for (const auto& [setup, motion] : behind) {
-      for (Suspect& s : suspectsOf(scene_, setup, motion, signedDepth(*told.patch, depth))) found.push_back(std::move(s));
+      for (Suspect& s : suspectsOf(scene_, setup, motion, signedDepth(*told.patch, depth)))
+        found.push_back(std::move(s));
     }
     std::vector<const Suspect*> out;
     for (Suspect& s : found) {
@@ -247,8 +258,8 @@ class Proof {
     return out;
   }
 
-  /// Whether a word is T, or D or H with the number of a tool that made the patch: that another tool would do is
-  /// no reason to doubt the word.
+  /// Whether a word is T, or D or H with the number of a tool that made the patch: that another tool would do
+  /// is no reason to doubt the word.
   bool isOfItsTool(const std::vector<MotionAt>& behind, const std::string& word) const {
     if (word.starts_with('T')) return true;
     if (!word.starts_with('D') && !word.starts_with('H')) return false;
@@ -294,7 +305,8 @@ class Proof {
   }
 
   static const ResolvedOrigin* named(const ResolvedOrigin& word, const Cause& cause, const Toolpath& path) {
-    if (word.begin == cause.column && word.line == cause.source->line && path.files[word.file] == cause.source->file)
+    if (word.begin == cause.column && word.line == cause.source->line &&
+        path.files[word.file] == cause.source->file)
       return &word;
     for (const ResolvedOrigin& from : word.from) {
       if (const ResolvedOrigin* found = named(from, cause, path)) return found;
@@ -315,8 +327,8 @@ class Proof {
     return out;
   }
 
-  /// Of each clamping the cuts that came nearest to where material is left: first the nearest of each tool that came
-  /// near enough to be meant for it.
+  /// Of each clamping the cuts that came nearest to where material is left: first the nearest of each tool
+  /// that came near enough to be meant for it.
   void addNearest(const DeviationPatch& patch, std::vector<MotionAt>& out) const {
     constexpr std::size_t kMostNearest = 3, kMostTools = 4;
     RigidTransform from_last;
@@ -357,7 +369,8 @@ class Proof {
     return t == nullptr ? 0.0 : t->diameter;
   }
 
-  void tell(Finding& finding, const std::vector<std::size_t>& points, std::vector<const Outcome*> cures) const {
+  void tell(Finding& finding, const std::vector<std::size_t>& points,
+            std::vector<const Outcome*> cures) const {
     if (cures.empty()) return;
     const auto left = [&](const Outcome* o) { return leftOf(o->deviations, points); };
     std::stable_sort(cures.begin(), cures.end(), [&](const Outcome* a, const Outcome* b) {
@@ -377,7 +390,8 @@ class Proof {
     std::vector<Cause> causes;
     std::set<std::string> told;
     for (const Outcome* out : cures) {
-      if (whole && (left(out) > 0.0 || out->cured - out->spoiled < kOfBest * (cures.front()->cured - cures.front()->spoiled)))
+      if (whole && (left(out) > 0.0 ||
+                    out->cured - out->spoiled < kOfBest * (cures.front()->cured - cures.front()->spoiled)))
         break;
       if (causes.size() < kMostCauses && told.insert(out->suspect->key).second)
         causes.push_back(causeOf(*out, left(out), depthOf(points)));
@@ -437,12 +451,13 @@ class Proof {
 
 void proveCauses(const Job& job, const RunSources& sources, const Blank& blank, const TriMesh& nominal,
                  const std::vector<PatchFinding>& patches, RunResult& run, Progress& progress) {
-  std::vector<PatchFinding> told(patches.begin(),
-                                 patches.begin() + static_cast<std::ptrdiff_t>(std::min(kMostPatches, patches.size())));
+  std::vector<PatchFinding> told(
+      patches.begin(), patches.begin() + static_cast<std::ptrdiff_t>(std::min(kMostPatches, patches.size())));
   Proof proof(job, sources, blank, nominal, told, run, progress);
   if (!proof.works()) return;
   for (std::size_t k = 0; k < told.size(); ++k) proof.look(told[k], k);
-  for (std::size_t k = 0; k < told.size(); ++k) proof.tell(told[k], k);  // what is found for one may help others
+  for (std::size_t k = 0; k < told.size(); ++k)
+    proof.tell(told[k], k);  // what is found for one may help others
 }
 
 }  // namespace proveout

@@ -13,36 +13,36 @@ namespace proveout {
 namespace {
 
 const std::string kProgram =
-    "G21 G17 G90 G40 G49 G80 G94\n"     // 1
-    "T1 M6\n"                           // 2
-    "S4000 M3\n"                        // 3
-    "G54 G0 X25 Y20\n"                  // 4
-    "G43 H1 Z5\n"                       // 5
-    "G1 Z-4 F200\n"                     // 6
-    "G41 D1 X19 Y16 F600\n"             // 7
-    "G3 X25 Y10 R6\n"                   // 8
-    "G1 X34.5\n"                        // 9
-    "G3 X40 Y15.5 R5.5\n"               // 10
-    "G1 Y24.5\n"                        // 11
-    "G3 X34.5 Y30 R5.5\n"               // 12
-    "G1 X15.5\n"                        // 13
-    "G3 X10 Y24.5 R5.5\n"               // 14
-    "G1 Y15.5\n"                        // 15
-    "G3 X15.5 Y10 R5.5\n"               // 16
-    "G1 X25\n"                          // 17
-    "G3 X31 Y16 R6\n"                   // 18
-    "G40 G1 X25 Y20\n"                  // 19
-    "G0 Z50\n"                          // 20
-    "T2 M6\n"                           // 21
-    "S2500 M3\n"                        // 22
-    "G0 X52 Y8\n"                       // 23
-    "G43 H2 Z5\n"                       // 24
-    "G99 G83 Z-6 R2 Q3 F200\n"          // 25
-    "G91 Y12 L2\n"                      // 26
-    "G90 G80\n"                         // 27
-    "G0 Z50\n"                          // 28
-    "M5\n"                              // 29
-    "M30\n";                            // 30
+    "G21 G17 G90 G40 G49 G80 G94\n"  // 1
+    "T1 M6\n"                        // 2
+    "S4000 M3\n"                     // 3
+    "G54 G0 X25 Y20\n"               // 4
+    "G43 H1 Z5\n"                    // 5
+    "G1 Z-4 F200\n"                  // 6
+    "G41 D1 X19 Y16 F600\n"          // 7
+    "G3 X25 Y10 R6\n"                // 8
+    "G1 X34.5\n"                     // 9
+    "G3 X40 Y15.5 R5.5\n"            // 10
+    "G1 Y24.5\n"                     // 11
+    "G3 X34.5 Y30 R5.5\n"            // 12
+    "G1 X15.5\n"                     // 13
+    "G3 X10 Y24.5 R5.5\n"            // 14
+    "G1 Y15.5\n"                     // 15
+    "G3 X15.5 Y10 R5.5\n"            // 16
+    "G1 X25\n"                       // 17
+    "G3 X31 Y16 R6\n"                // 18
+    "G40 G1 X25 Y20\n"               // 19
+    "G0 Z50\n"                       // 20
+    "T2 M6\n"                        // 21
+    "S2500 M3\n"                     // 22
+    "G0 X52 Y8\n"                    // 23
+    "G43 H2 Z5\n"                    // 24
+    "G99 G83 Z-6 R2 Q3 F200\n"       // 25
+    "G91 Y12 L2\n"                   // 26
+    "G90 G80\n"                      // 27
+    "G0 Z50\n"                       // 28
+    "M5\n"                           // 29
+    "M30\n";                         // 30
 
 class ProvenCauses : public testing::Test {
  protected:
@@ -58,19 +58,19 @@ class ProvenCauses : public testing::Test {
     const Result<RunResult> right = run(kProgram);
     if (!right.ok() || right->alarm) throw std::runtime_error("the right program does not run");
     const std::string path = folder.path("nominal.stl");
-    if (!writeMesh(right->surface().mesh, path, MeshFormat::kStlBinary).ok()) throw std::runtime_error("no nominal");
+    if (!writeMesh(right->surface().mesh, path, MeshFormat::kStlBinary).ok())
+      throw std::runtime_error("no nominal");
     job.nominal.emplace();
     job.nominal->mesh.path = path;
     job.nominal->gouge_mm = 0.02;
     job.nominal->excess_mm = 0.05;
   }
 
-  Result<RunResult> run(const std::string& program) const {
-    return app_test::run(job, {program});
-  }
+  Result<RunResult> run(const std::string& program) const { return app_test::run(job, {program}); }
 
   /// Runs a program with a word put otherwise.
-  void expectWord(const std::string& right, const std::string& wrong, int line, const std::string& with) const {
+  void expectWord(const std::string& right, const std::string& wrong, int line,
+                  const std::string& with) const {
     std::string program = kProgram;
     const std::size_t at = program.find(right);
     ASSERT_NE(at, std::string::npos);
@@ -88,7 +88,8 @@ class ProvenCauses : public testing::Test {
       ++deviations;
       ASSERT_FALSE(f.causes.empty());
       const Cause& first = f.causes.front();
-      SCOPED_TRACE(fmt::format("{} at X{:.3f} Y{:.3f} Z{:.3f}", f.message, f.where->x(), f.where->y(), f.where->z()));
+      SCOPED_TRACE(
+          fmt::format("{} at X{:.3f} Y{:.3f} Z{:.3f}", f.message, f.where->x(), f.where->y(), f.where->z()));
       EXPECT_EQ(first.left_mm, 0.0) << first.what << " " << first.value;
       EXPECT_EQ(first.with, with) << first.what << " " << first.value;
       EXPECT_EQ(first.source ? first.source->line : 0, line) << first.what;
@@ -119,7 +120,8 @@ TEST_F(ProvenCauses, RowOfTheRadius) { expectWord("D1", "D2", 7, "D1"); }
 TEST_F(ProvenCauses, StepOrPlace) { expectWord("G91 Y12", "G90 Y12", 26, "G91"); }
 
 TEST_F(ProvenCauses, WhatWasNotTriedIsCounted) {
-  // Two mistakes, which no single word explains, in a program of so many motions that few trials take as long.
+  // Two mistakes, which no single word explains, in a program of so many motions that few trials take as
+  // long.
   std::string program = kProgram;
   program.replace(program.find("G1 Z-4 F200"), 11, "G1 Z-3.4 F200");
   program.replace(program.find("G3 X40 Y15.5 R5.5"), 17, "G3 X40 Y15.5 R7.5");
