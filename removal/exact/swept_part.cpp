@@ -33,25 +33,6 @@ struct Body {
   std::int32_t curve;  ///< number of the stored sweep, or -1: a line
 };
 
-/// How far a part reaches from the tip.
-double reachOf(const ConvexProfile& profile) {
-  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-}
-
-/// Bounds of a part between two poses of a stretch.
-Box3 stretchPieceBounds(const ConvexProfile& profile, const PosedStretch& stretch, double from, double to) {
-  Box3 box;
-  for (const double t : {from, to}) {
-    const PosedStretch::Pose pose = stretch.poseAt(t);
-    const Box3 part = leaningBounds(profile, ToolFrame(pose.axis));
-    box.extend(Vec3(pose.tip + part.min));
-    box.extend(Vec3(pose.tip + part.max));
-  }
-  // What moves between two poses leaves their chord by an eighth of its second derivative.
-  const double bend = stretch.tip[1] + reachOf(profile) * stretch.axis[1];
-  return box.inflated(bend * (to - from) * (to - from) / 8.0 + kTrackMm);
-}
-
 /// The swept volumes of one clamping.
 class CutBodies {
   template <typename Ask>
@@ -167,11 +148,10 @@ class CutBodies {
     const double unit = kBoxRadii * std::max(profile.maxRadius(), 0.01);
     const int most = std::max(1, kMostBoxes / static_cast<int>(stretches.size()));
     for (const PosedStretch& stretch : stretches) {
-      const double way = 2.0 * stretch.mostShift(reachOf(profile));
+      const double way = 2.0 * stretch.mostShift(farthestFromTip(profile));
       const int count = static_cast<int>(std::clamp(std::ceil(way / unit), 1.0, static_cast<double>(most)));
       for (int i = 0; i < count; ++i) {
-        boxes_.push_back(
-            stretchPieceBounds(profile, stretch, 2.0 * i / count - 1.0, 2.0 * (i + 1) / count - 1.0));
+        boxes_.push_back(boundsBetween(profile, stretch, 2.0 * i / count - 1.0, 2.0 * (i + 1) / count - 1.0));
         body_of_.push_back({static_cast<std::uint32_t>(bodies_.size() - 1),
                             static_cast<std::uint32_t>(&stretch - stretches.data())});
       }

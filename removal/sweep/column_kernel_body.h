@@ -397,8 +397,7 @@ unsigned leafHits(const LineSweep& sweep, const proveout::LeafColumns& leaf, uns
   const proveout::ColumnSolid& tool = *sweep.solid;
   const double fx = sweep.x, fy = sweep.y, ux = sweep.ux, uy = sweep.uy;
   const double length = sweep.length, slope = sweep.slope, lift = sweep.z + tool.radius;
-  if (sweep.length == 0.0 || (!tool.ball && !tool.sphere) || slope * slope > kHitSlope * kHitSlope)
-    return quarters;
+  if (sweep.length == 0.0 || !tool.ball || slope * slope > kHitSlope * kHitSlope) return quarters;
   const double bottom = leaf.z[0];
   const double toward = -slope / (1.0 + slope * slope), within = tool.radius * tool.radius + kHitSlack;
   unsigned hits = 0;

@@ -112,12 +112,12 @@ struct WaySweep {
 struct PoseSolid {
   static constexpr int kMost = 8;
   struct Zone {
-    double low, high;
-    double alpha, beta, gamma;
-    double widest;  ///< largest radius
-    bool widens;    ///< upwards; told of cones only
+    double low = 0.0, high = 0.0;
+    double alpha = 0.0, beta = 0.0, gamma = 0.0;
+    double widest = 0.0;  ///< largest radius
+    bool widens = false;  ///< upwards; told of cones only
     /// Of a round corner: what is nearer than `corner` to a disc at this height; else 0.
-    double corner, disc, height;
+    double corner = 0.0, disc = 0.0, height = 0.0;
   };
   struct Rim {
     double z, radius2;
@@ -146,7 +146,7 @@ struct PoseRun {
 /// A solid of one direction between two places, as seen along its axis: p falls as steeply as it can, q is
 /// level, h goes along the axis, s along the way as seen so, n across it; all from the tip at the first
 /// place.
-struct PoseTrack {
+struct AxialView {
   PoseAt at;              ///< first place
   double level;           ///< what p falls by, a mm of height: how far the axis leans
   double px, py, qx, qy;  ///< level parts of p and q
@@ -156,11 +156,11 @@ struct PoseTrack {
   double by_h, by_p, by_n;                             ///< height a mm of h, of p (falling), of n; finite
 };
 
-/// What bounds of a run look at: no point of the solid is ever farther from it on one of the tracks than
+/// What bounds of a run look at: no point of the solid is ever farther from it in one of the views than
 /// `between`, mm.
 struct PoseSpan {
   const PoseSolid* solid;
-  const PoseTrack* tracks;
+  const AxialView* views;
   int count;
   double between;
   const double* min;  ///< bounds: x, y, z

@@ -30,6 +30,10 @@ Box3 boundsOfWay(const Vec3& from, const Vec3& to, const ArcGeometry* arc) {
 
 }  // namespace
 
+double farthestFromTip(const ConvexProfile& profile) {
+  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
+}
+
 Box3 leaningBounds(const ConvexProfile& profile, const ToolFrame& frame) {
   Box3 box;
   for (int axis = 0; axis < 3; ++axis) {

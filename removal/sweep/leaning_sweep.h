@@ -10,6 +10,9 @@ namespace proveout {
 /// Bounds of a solid with this axis, its tip at the origin, mm, workpiece frame; exact.
 Box3 leaningBounds(const ConvexProfile& profile, const ToolFrame& frame);
 
+/// No point of the solid is farther from its tip, mm, whatever its axis.
+double farthestFromTip(const ConvexProfile& profile);
+
 class LeaningSweep {
  public:
   /// `from`, `to` and `arc` (null for lines): of the tip, workpiece frame. `profile` must outlive the sweep.

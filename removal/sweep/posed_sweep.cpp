@@ -32,10 +32,9 @@ using namespace posed_sweep_detail;
 
 Box3 stretchBounds(const ConvexProfile& profile, const PosedStretch& stretch) {
   const Box3 part = leaningBounds(profile, ToolFrame(stretch.middleAxis()));
-  const double reach =
-      std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
   const Vec3 tip = stretch.middleTip(), axis = stretch.middleAxis();
-  const Box3 moved = Box3{tip + part.min, tip + part.max}.inflated(stretch.mostShift(reach) + kTrackMm);
+  const double shift = stretch.mostShift(farthestFromTip(profile));
+  const Box3 moved = Box3{tip + part.min, tip + part.max}.inflated(shift + kTrackMm);
   // Balls around both ends of the part's axis, too, hold all of it between them.
   Box3 balls;
   for (const double z : {profile.zMin(), profile.zMax()}) {
@@ -43,6 +42,18 @@ Box3 stretchBounds(const ConvexProfile& profile, const PosedStretch& stretch) {
     balls.extend(Box3{end, end}.inflated(profile.maxRadius() + stretch.mostShift(std::abs(z)) + kTrackMm));
   }
   return {moved.min.cwiseMax(balls.min), moved.max.cwiseMin(balls.max)};
+}
+
+Box3 boundsBetween(const ConvexProfile& profile, const PosedStretch& stretch, double from, double to) {
+  Box3 box;
+  for (const double t : {from, to}) {
+    const PosedStretch::Pose pose = stretch.poseAt(t);
+    const Box3 part = leaningBounds(profile, ToolFrame(pose.axis));
+    box.extend(Box3{pose.tip + part.min, pose.tip + part.max});
+  }
+  // What moves between two poses leaves their chord by an eighth of its second derivative.
+  const double bend = stretch.tip[1] + farthestFromTip(profile) * stretch.axis[1];
+  return box.inflated(bend * (to - from) * (to - from) / 8.0 + kTrackMm);
 }
 
 PosedSweep::PosedSweep(const ConvexProfile& profile, const MotionWay& way)

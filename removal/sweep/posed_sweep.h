@@ -59,5 +59,7 @@ class PosedSweep {
 
 /// Bounds of a part on a stretch of its way, mm.
 Box3 stretchBounds(const ConvexProfile& profile, const PosedStretch& stretch);
+/// The same between two places of it, `from` < `to`; tight where they are near to each other.
+Box3 boundsBetween(const ConvexProfile& profile, const PosedStretch& stretch, double from, double to);
 
 }  // namespace proveout

@@ -134,7 +134,7 @@ constexpr double kLineCounts = 2.0;
 
 /// Poses of a tool that turns stand as close as removal has them, 16 to a piece; more pieces are taken as
 /// these.
-constexpr double kPosesAPiece = 16.0, kPosesMm = 5e-5;
+constexpr double kPosesAPiece = 16.0;
 constexpr int kMostLooked = 64;
 /// Tools whose axis rises by more leave what the height map shows.
 constexpr double kSteep = 0.5;
@@ -208,7 +208,7 @@ std::map<int, CutterSize> cutterSizes(const std::vector<Tool>& tools) {
     if (rowOf(type).rotates) {
       const std::vector<ConvexProfile> cutter = makeToolSolid(tool).cutter;
       size.known = size.ball || std::all_of(cutter.begin(), cutter.end(), [](const ConvexProfile& part) {
-                     return poseSolid(part).zones > 0 && leastRadius(part) > 0.0;
+                     return leastRadius(part) > 0.0;
                    });
       size.corners = std::any_of(cutter.begin(), cutter.end(),
                                  [](const ConvexProfile& part) { return poseSolid(part).corners; });

@@ -195,51 +195,41 @@ void LeanArc::cut(std::deque<LeanArc>& out) const {
 /// Where the ends are known, all else follows.
 void LeanArc::setPlace() {
   id_ = nextPieceId();
-  const auto placed = [&](const Vec2& level) {
-    return poseAt(frame.toPart(center + Vec3(level.x(), level.y(), 0.0)), frame.axis());
-  };
-  const Vec2 from = radius * first, to = radius * last, way = to - from;
   const auto toPart = [&](const Vec2& level) { return frame.toPart(Vec3(level.x(), level.y(), 0.0)); };
-  chord = poseTrack(placed(from), toPart(way));
+  const Vec2 from = radius * first, to = radius * last, way = to - from;
+  chord = axialView(poseAt(frame.toPart(center) + toPart(from), frame.axis()), toPart(way));
   sagitta = sweep < kPi ? radius * (1.0 - std::cos(0.5 * sweep)) : 2.0 * radius;
   // On the inner side of the chord nothing is farther from it than the tool's radius; between the ends the
   // tool covers what is nearer than where its circles at the ends meet.
-  const double least = thinnestPart(*profile), half = 0.5 * way.norm(), widest = profile->maxRadius();
+  const double least = thinnestPart(*profile), half = 0.5 * way.norm();
   const double near = least > half ? std::sqrt(least * least - half * half) : -sagitta;
-  const Vec2 inner = -(from + to).stableNormalized();
-  const double wide = 0.5 * (widest - near);
-  notch = poseTrack(placed(from + 0.5 * (widest + near) * inner), toPart(way));
-  notch_solid = {};
-  notch_solid.zones = 1;
-  notch_solid.zone[0] = {profile->zMin(), profile->zMax(), 0.0, 0.0, 0.0, wide, false, 0.0, 0.0, 0.0};
+  const Vec3 inner = toPart(-(from + to).stableNormalized());
+  const double inner_q = inner.x() * chord.qx + inner.y() * chord.qy, near_q = near * inner_q,
+               far_q = profile->maxRadius() * inner_q;
+  notch_low = std::min(near_q, far_q) + chord.low_q - kCullSlackMm;
+  notch_high = std::max(near_q, far_q) + chord.high_q + kCullSlackMm;
 }
 
 void LeanArc::reach(int number, const FourBlocks& blocks, double* low, double* high) const {
   columnKernels().pose_reach(span(), blocks, low, high);
-  if (number == 0 || sweep > kMostPieceRad) return;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  FourBlocks columns = blocks;
-  for (int i = 0; i < 4; ++i) columns.z_low[i] = -kFar, columns.z_high[i] = kFar;
-  double from[4], to[4];
-  columnKernels().pose_reach({&notch_solid, &notch, 1, 0.0, bounds.min.data(), bounds.max.data()}, columns,
-                             from, to);
-  for (int i = 0; i < 4; ++i) {
-    if (from[i] > to[i]) low[i] = kFar, high[i] = -kFar;
+  for (int i = 0; number > 0 && i < 4; ++i) {
+    if (meetsNotch(blocks.x[i], blocks.y[i], blocks.half_width)) continue;
+    low[i] = std::numeric_limits<double>::infinity(), high[i] = -low[i];
   }
 }
 
 ColumnSpan LeanArc::column(double x, double y, int number) const {
   if (x < bounds.min.x() || x > bounds.max.x() || y < bounds.min.y() || y > bounds.max.y()) return {};
-  if (!meetsNotch(x, y)) return number == 0 ? columnSpans(x, y)[0] : ColumnSpan{};
+  if (!meetsNotch(x, y, 0.0)) return number == 0 ? columnSpans(x, y)[0] : ColumnSpan{};
   return keptSpans(*this, id_, x, y)[static_cast<std::size_t>(number)];
 }
 
-/// Seen along the axis, the column is a line at one q.
-bool LeanArc::meetsNotch(double x, double y) const {
+/// Seen along the axis, a column is a line at one q.
+bool LeanArc::meetsNotch(double x, double y, double half_width) const {
   if (sweep > kMostPieceRad) return true;
-  const double q = (x - notch.at.x) * notch.qx + (y - notch.at.y) * notch.qy;
-  const double wide = notch_solid.zone[0].widest + kCullSlackMm;
-  return q > notch.low_q - wide && q < notch.high_q + wide;
+  const double q = (x - chord.at.x) * chord.qx + (y - chord.at.y) * chord.qy;
+  const double beside = half_width * (std::abs(chord.qx) + std::abs(chord.qy));
+  return q + beside > notch_low && q - beside < notch_high;
 }
 
 LeanArc::Spans LeanArc::columnSpans(double x, double y) const {

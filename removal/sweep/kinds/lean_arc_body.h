@@ -27,19 +27,18 @@ struct LeanArc {
   Spans columnSpans(double x, double y) const;
 
   PoseSpan span() const { return {solid, &chord, 1, sagitta, bounds.min.data(), bounds.max.data()}; }
-  /// Of bodies with a number above 0: nothing where no column of the square goes through the notch.
+  /// Of bodies with a number above 0: nothing where no column of a square goes through the notch.
   void reach(int number, const FourBlocks& blocks, double* low, double* high) const;
 
   /// Whether the direction from the centre is one that the tip has on its way.
   bool isPassed(const Vec2& level) const;
 
   Box3 bounds;      ///< of the volume, workpiece frame
-  PoseTrack chord;  ///< of the tip
+  AxialView chord;  ///< of the tip
   double sagitta;   ///< the tip goes no farther from it
-  /// Between the ends, on the inner side, there is what the tool passes by on the way: all lines that meet
-  /// the volume more than once go through it. Here as the way of a cylinder.
-  PoseTrack notch;
-  PoseSolid notch_solid;
+  /// Between the ends, on the inner side, there is a notch that the tool passes by: all lines that meet the
+  /// volume more than once go through it. Where it is along q of the chord.
+  double notch_low, notch_high;
   const PoseSolid* solid;
   const ConvexProfile* profile;
   ToolFrame frame;
@@ -51,7 +50,8 @@ struct LeanArc {
 
  private:
   void setPlace();
-  bool meetsNotch(double x, double y) const;
+  /// Whether a column of the square may.
+  bool meetsNotch(double x, double y, double half_width) const;
   std::uint64_t id_ = 0;
 };
 

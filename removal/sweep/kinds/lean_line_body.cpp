@@ -16,7 +16,7 @@ ColumnSpan raised(ColumnSpan span, double by) { return {span.lo + by, span.hi + 
 
 LeanLine::LeanLine(const ConvexProfile& of, const ToolFrame& in, const Vec3& start, const Vec3& end,
                    const PoseSolid& known)
-    : track(poseTrack(poseAt(start, in.axis()), end - start)),
+    : view(axialView(poseAt(start, in.axis()), end - start)),
       solid(&known),
       profile(&of),
       frame(in),

@@ -24,10 +24,10 @@ struct LeanLine {
   /// As ColumnKernel. Requires `poses`.
   void columns(const double* x, const double* y, int count, double* lo, double* hi) const;
 
-  PoseSpan span() const { return {solid, &track, 1, 0.0, bounds.min.data(), bounds.max.data()}; }
+  PoseSpan span() const { return {solid, &view, 1, 0.0, bounds.min.data(), bounds.max.data()}; }
 
   Box3 bounds;  ///< of the volume, workpiece frame
-  PoseTrack track;
+  AxialView view;
   const PoseSolid* solid;
   /// Of the kernels: the ends, or, of a short line of a part with round corners, as many as it needs. 0:
   /// columns are found one by one.

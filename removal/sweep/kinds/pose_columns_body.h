@@ -7,10 +7,10 @@
 
 namespace {
 
+using proveout::AxialView;
 using proveout::PoseRun;
 using proveout::PoseSolid;
 using proveout::PoseSpan;
-using proveout::PoseTrack;
 
 /// A quadratic that is no more than this is linear.
 constexpr double kLeastSquare = 1e-24;
@@ -249,26 +249,26 @@ struct PoseNear {
   double gap2[kQuarter], first[kQuarter], last[kQuarter];
 };
 
-inline void poseNear(const PoseTrack& track, const double* __restrict x, const double* __restrict y,
+inline void poseNear(const AxialView& view, const double* __restrict x, const double* __restrict y,
                      const double* __restrict top, double bottom, PoseNear& near) {
-  const proveout::PoseAt& a = track.at;
+  const proveout::PoseAt& a = view.at;
 #pragma GCC unroll 1
   for (int i = 0; i < kQuarter; ++i) {
     const double dx = x[i] - a.x, dy = y[i] - a.y, dz = top[i] - a.z, down = top[i] - bottom;
-    const double p = dx * track.px + dy * track.py - dz * track.level, q = dx * track.qx + dy * track.qy;
-    const double ahead = p + track.level * down;
+    const double p = dx * view.px + dy * view.py - dz * view.level, q = dx * view.qx + dy * view.qy;
+    const double ahead = p + view.level * down;
     // Apart in a rectangle around the way, and in one along it.
-    const double p_gap = most(most(track.low_p - ahead, p - track.high_p), 0.0);
-    const double q_gap = most(most(track.low_q - q, q - track.high_q), 0.0);
-    const double s1 = p * track.up + q * track.uq, s2 = ahead * track.up + q * track.uq;
-    const double n1 = q * track.up - p * track.uq, n2 = q * track.up - ahead * track.uq;
-    const double s_gap = most(most(-most(s1, s2), least(s1, s2) - track.length), 0.0);
+    const double p_gap = most(most(view.low_p - ahead, p - view.high_p), 0.0);
+    const double q_gap = most(most(view.low_q - q, q - view.high_q), 0.0);
+    const double s1 = p * view.up + q * view.uq, s2 = ahead * view.up + q * view.uq;
+    const double n1 = q * view.up - p * view.uq, n2 = q * view.up - ahead * view.uq;
+    const double s_gap = most(most(-most(s1, s2), least(s1, s2) - view.length), 0.0);
     const double n_gap = most(most(-most(n1, n2), least(n1, n2)), 0.0);
     const double gap2 = most(p_gap * p_gap + q_gap * q_gap, s_gap * s_gap + n_gap * n_gap);
     near.gap2[i] = down > 0.0 ? gap2 : kNoHeight;
     const double h1 = dx * a.ax + dy * a.ay + dz * a.az, h2 = h1 - down * a.az;
-    near.first[i] = least(h1, h2) - track.high_h;
-    near.last[i] = most(h1, h2) - track.low_h;
+    near.first[i] = least(h1, h2) - view.high_h;
+    near.last[i] = most(h1, h2) - view.low_h;
   }
 }
 
@@ -282,7 +282,7 @@ unsigned poseHits(const PoseSpan& span, const proveout::LeafColumns& leaf, unsig
       if (((quarters & ~hits) >> q & 1) == 0) continue;
       const int from = q * kQuarter;
       PoseNear near;
-      poseNear(span.tracks[end], leaf.x + from, leaf.y + from, leaf.top + from, leaf.z[0], near);
+      poseNear(span.views[end], leaf.x + from, leaf.y + from, leaf.top + from, leaf.z[0], near);
       for (int k = 0; k < span.solid->zones; ++k) {
         const PoseSolid::Zone& zone = span.solid->zone[k];
         const double low = zone.low - slack, high = zone.high + slack, within = zone.widest + slack;
@@ -306,21 +306,21 @@ inline double magnitude(double a) { return a < 0.0 ? -a : a; }
 
 /// Where the column of each block may lie in the cylinders around the zones: between the ends of the zone, in
 /// the strips along p and across the way, each wider by what the square reaches beyond its middle.
-inline void poseReachAt(const PoseSolid& solid, const PoseTrack& track, double slack,
+inline void poseReachAt(const PoseSolid& solid, const AxialView& view, double slack,
                         const proveout::FourBlocks& blocks, double* __restrict low, double* __restrict high) {
-  const double ax = track.at.ax, ay = track.at.ay, tip = track.at.z, half = blocks.half_width;
-  const double px = track.px, py = track.py, qx = track.qx, qy = track.qy, nx = track.nx, ny = track.ny;
-  const double by_h = track.by_h, by_p = track.by_p, by_n = track.by_n;
-  const double low_q = track.low_q, high_q = track.high_q;
+  const double ax = view.at.ax, ay = view.at.ay, tip = view.at.z, half = blocks.half_width;
+  const double px = view.px, py = view.py, qx = view.qx, qy = view.qy, nx = view.nx, ny = view.ny;
+  const double by_h = view.by_h, by_p = view.by_p, by_n = view.by_n;
+  const double low_q = view.low_q, high_q = view.high_q;
   const double p_half = half * (magnitude(px) + magnitude(py)) + slack;
   const double q_half = half * (magnitude(qx) + magnitude(qy)) + slack;
   const double n_half = half * (magnitude(nx) + magnitude(ny)) + slack;
-  const double first_h = track.low_h - half * (magnitude(ax) + magnitude(ay)) - slack;
-  const double last_h = track.high_h + half * (magnitude(ax) + magnitude(ay)) + slack;
-  const double first_p = track.low_p - p_half, last_p = track.high_p + p_half;
+  const double first_h = view.low_h - half * (magnitude(ax) + magnitude(ay)) - slack;
+  const double last_h = view.high_h + half * (magnitude(ax) + magnitude(ay)) + slack;
+  const double first_p = view.low_p - p_half, last_p = view.high_p + p_half;
   double h[4], p[4], n[4], q_gap[4];
   for (int i = 0; i < 4; ++i) {
-    const double dx = blocks.x[i] - track.at.x, dy = blocks.y[i] - track.at.y;
+    const double dx = blocks.x[i] - view.at.x, dy = blocks.y[i] - view.at.y;
     const double q = dx * qx + dy * qy;
     h[i] = dx * ax + dy * ay, p[i] = dx * px + dy * py, n[i] = dx * nx + dy * ny;
     q_gap[i] = most(most(low_q - q, q - high_q) - q_half, 0.0);
@@ -357,7 +357,7 @@ void poseReach(const PoseSpan& span, const proveout::FourBlocks& blocks, double*
   }
   if (most(most(near[0], near[1]), most(near[2], near[3])) == 0.0) return;
   for (int end = 0; end < span.count; ++end)
-    poseReachAt(*span.solid, span.tracks[end], span.between + kSlack, blocks, from, to);
+    poseReachAt(*span.solid, span.views[end], span.between + kSlack, blocks, from, to);
   for (int i = 0; i < 4; ++i) {
     const double lowest = most(from[i], bottom) - kSlack, highest = least(to[i], top) + kSlack;
     const bool in =

@@ -29,21 +29,16 @@ void PosePiece::cut(const PosedSweep& sweep, const PosedStretch& stretch, const 
 
 PosePiece::PosePiece(const PosedSweep& sweep, const PosedStretch& stretch, const PoseSolid& solid, int first,
                      int last, int count)
-    : solid_(&solid), share_(stretch.shareAt(static_cast<double>(first + last) / count - 1.0)) {
-  const ConvexProfile& part = sweep.profile();
+    : bounds_(boundsBetween(sweep.profile(), stretch, 2.0 * first / count - 1.0, 2.0 * last / count - 1.0)),
+      between_(stretch.mostShift(farthestFromTip(sweep.profile())) * static_cast<double>(last - first) /
+               count),
+      solid_(&solid),
+      share_(stretch.shareAt(static_cast<double>(first + last) / count - 1.0)) {
   poses_.reserve(static_cast<std::size_t>(last - first + 1));
   for (int i = first; i <= last; ++i) {
     const PosedStretch::Pose pose = stretch.poseAt(2.0 * i / count - 1.0);
     poses_.push_back(poseAt(pose.tip, pose.axis));
-    if (i != first && i != last) continue;
-    const Box3 box = leaningBounds(part, ToolFrame(pose.axis));
-    bounds_.extend(Vec3(pose.tip + box.min));
-    bounds_.extend(Vec3(pose.tip + box.max));
   }
-  // What moves between two poses leaves their chord by an eighth of its second derivative.
-  const double wide = 2.0 * (last - first) / count, reach = farthestFromTip(part);
-  bounds_ = bounds_.inflated((stretch.tip[1] + reach * stretch.axis[1]) * wide * wide / 8.0 + kTrackMm);
-  between_ = stretch.mostShift(reach) * static_cast<double>(last - first) / count;
 }
 
 }  // namespace proveout

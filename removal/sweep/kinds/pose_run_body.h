@@ -30,10 +30,10 @@ class PosePiece {
 
   PoseRun run() const { return {solid_, poses_.data(), static_cast<int>(poses_.size())}; }
   /// The poses at the ends; kept they would take more memory than all else.
-  std::array<PoseTrack, 2> ends() const {
-    return {poseTrack(poses_.front(), Vec3::Zero()), poseTrack(poses_.back(), Vec3::Zero())};
+  std::array<AxialView, 2> ends() const {
+    return {axialView(poses_.front(), Vec3::Zero()), axialView(poses_.back(), Vec3::Zero())};
   }
-  PoseSpan span(const std::array<PoseTrack, 2>& of_ends) const {
+  PoseSpan span(const std::array<AxialView, 2>& of_ends) const {
     return {solid_, of_ends.data(), 2, between_, bounds_.min.data(), bounds_.max.data()};
   }
   const Box3& bounds() const { return bounds_; }

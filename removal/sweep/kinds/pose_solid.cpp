@@ -27,10 +27,6 @@ double thinnestPart(const ConvexProfile& profile) {
   return least;
 }
 
-double farthestFromTip(const ConvexProfile& profile) {
-  return std::hypot(profile.maxRadius(), std::max(std::abs(profile.zMin()), std::abs(profile.zMax())));
-}
-
 double posesApart(const ConvexProfile& profile) { return std::sqrt(8.0 * kPosesMm * leastRadius(profile)); }
 
 /// Whether there is no edge between an element and the next.
@@ -52,16 +48,8 @@ PoseSolid poseSolid(const ConvexProfile& profile) {
     if (e.br > 0.0 && !goesOnSmoothly(profile, i)) solid.rim[solid.rims++] = {e.bz, e.br * e.br};
     if (!e.arc && e.dz == 0.0) continue;
     PoseSolid::Zone& zone = solid.zone[solid.zones++];
-    zone = {std::min(e.az, e.bz),
-            std::max(e.az, e.bz),
-            0.0,
-            0.0,
-            0.0,
-            std::max(e.ar, e.br),
-            false,
-            0.0,
-            0.0,
-            0.0};
+    zone.low = std::min(e.az, e.bz), zone.high = std::max(e.az, e.bz);
+    zone.widest = std::max(e.ar, e.br);
     if (e.arc && e.cr != 0.0) {
       zone.corner = e.radius, zone.disc = e.cr, zone.height = e.cz;
       solid.corners = true;
@@ -75,7 +63,7 @@ PoseSolid poseSolid(const ConvexProfile& profile) {
   return solid;
 }
 
-PoseTrack poseTrack(const PoseAt& a, const Vec3& way) {
+AxialView axialView(const PoseAt& a, const Vec3& way) {
   constexpr double kUpright = 1e-9, kStill = 1e-9;  // of the level part; mm
   /// The slack of bounds is more than what less than this does on any height that counts.
   constexpr double kLeast = 1e-9;
@@ -86,18 +74,18 @@ PoseTrack poseTrack(const PoseAt& a, const Vec3& way) {
   const Vec3 p(toward.x() * a.az, toward.y() * a.az, -level), q(-toward.y(), toward.x(), 0.0);
   const double way_p = way.dot(p), way_q = way.dot(q), way_h = way.dot(axis),
                length = std::sqrt(way_p * way_p + way_q * way_q);
-  PoseTrack track;
-  track.at = a, track.level = level;
-  track.px = p.x(), track.py = p.y(), track.qx = q.x(), track.qy = q.y();
-  track.low_p = std::min(0.0, way_p), track.high_p = std::max(0.0, way_p);
-  track.low_q = std::min(0.0, way_q), track.high_q = std::max(0.0, way_q);
-  track.low_h = std::min(0.0, way_h), track.high_h = std::max(0.0, way_h);
+  AxialView view;
+  view.at = a, view.level = level;
+  view.px = p.x(), view.py = p.y(), view.qx = q.x(), view.qy = q.y();
+  view.low_p = std::min(0.0, way_p), view.high_p = std::max(0.0, way_p);
+  view.low_q = std::min(0.0, way_q), view.high_q = std::max(0.0, way_q);
+  view.low_h = std::min(0.0, way_h), view.high_h = std::max(0.0, way_h);
   const bool moves = length > kStill;
-  track.up = moves ? way_p / length : 1.0, track.uq = moves ? way_q / length : 0.0;
-  track.length = std::max(length, kStill);
-  track.nx = q.x() * track.up - p.x() * track.uq, track.ny = q.y() * track.up - p.y() * track.uq;
-  track.by_h = inverse(a.az), track.by_p = inverse(level), track.by_n = inverse(level * track.uq);
-  return track;
+  view.up = moves ? way_p / length : 1.0, view.uq = moves ? way_q / length : 0.0;
+  view.length = std::max(length, kStill);
+  view.nx = q.x() * view.up - p.x() * view.uq, view.ny = q.y() * view.up - p.y() * view.uq;
+  view.by_h = inverse(a.az), view.by_p = inverse(level), view.by_n = inverse(level * view.uq);
+  return view;
 }
 
 }  // namespace proveout

@@ -28,10 +28,7 @@ double leastRadius(const ConvexProfile& profile);
 /// Least radius of the profile between its ends, mm: 0 where one of them is no disc.
 double thinnestPart(const ConvexProfile& profile);
 
-/// No point of the profile is farther from the tool's tip, mm.
-double farthestFromTip(const ConvexProfile& profile);
-
-/// The track from a place on; `way`: of the tip, mm, workpiece frame.
-PoseTrack poseTrack(const PoseAt& from, const Vec3& way);
+/// The view from a place on; `way`: of the tip, mm, workpiece frame.
+AxialView axialView(const PoseAt& from, const Vec3& way);
 
 }  // namespace proveout

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "removal/sweep/kinds/line_meeting.h"
+#include "removal/sweep/leaning_sweep.h"
 
 namespace proveout {
 
@@ -25,7 +26,7 @@ constexpr int kMostMarches = 100000;
 constexpr int kWayParts = 4;
 /// Where culling looks at a stretch: so many of its poses that the tool moves no farther from one of them
 /// than this share of its radius, but not too many.
-constexpr double kTrackShare = 0.25, kMostTracks = 32.0;
+constexpr double kViewShare = 0.25, kMostViews = 32.0;
 
 }  // namespace posed_body_detail
 
@@ -39,11 +40,11 @@ PosedPiece::PosedPiece(const PosedSweep& sweep, std::size_t number, const PoseSo
       id_(nextPieceId()) {
   const double shift = stretch().mostShift(farthestFromTip(sweep.profile()));
   const double count =
-      std::clamp(std::ceil(shift / (kTrackShare * sweep.profile().maxRadius())), 1.0, kMostTracks);
+      std::clamp(std::ceil(shift / (kViewShare * sweep.profile().maxRadius())), 1.0, kMostViews);
   between_ = shift / count + kTrackMm;
   for (int i = 0; i < count; ++i) {
     const PosedStretch::Pose pose = stretch().poseAt((2.0 * i + 1.0) / count - 1.0);
-    tracks_.push_back(poseTrack(poseAt(pose.tip, pose.axis), Vec3::Zero()));
+    views_.push_back(axialView(poseAt(pose.tip, pose.axis), Vec3::Zero()));
   }
 }
 

@@ -32,7 +32,7 @@ class PosedPiece {
   Spans columnSpans(double x, double y) const;
   const Box3& bounds() const { return bounds_; }
   PoseSpan span() const {
-    return {solid_,   tracks_.data(),     static_cast<int>(tracks_.size()),
+    return {solid_,   views_.data(),      static_cast<int>(views_.size()),
             between_, bounds_.min.data(), bounds_.max.data()};
   }
   double middleShare() const { return stretch().shareAt(0.0); }
@@ -46,8 +46,8 @@ class PosedPiece {
   double climb(double x, double y, double z, double direction, PosedPlace at) const;
 
   Box3 bounds_;
-  double between_ = 0.0;           ///< no point of the tool is ever farther from it on one of the tracks, mm
-  std::vector<PoseTrack> tracks_;  ///< poses
+  double between_ = 0.0;          ///< no point of the tool is ever farther from it in one of the views, mm
+  std::vector<AxialView> views_;  ///< poses
   const PoseSolid* solid_;
   const PosedSweep* sweep_;
   std::size_t number_;
