@@ -12,6 +12,7 @@
 #include "removal/contact/contact_query.h"
 #include "removal/exact/swept_part.h"
 #include "tests/property/random_moves.h"
+#include "tests/support/exact_part_reference.h"
 #include "tests/support/posed_motions.h"
 #include "tests/unit/removal/cut_fixture.h"
 
@@ -47,14 +48,6 @@ struct Cuts {
     return path.motions.back();
   }
 
-  /// From a tool of radius 3 at a pose, mm; below 0 inside.
-  static double fromTool(int number, const Vec3& p, const ToolPose& pose) {
-    const Vec3 q = p - pose.tip;
-    const double z = q.dot(pose.axis), rho = (q - z * pose.axis).norm();
-    if (number == 2) return z >= 3.0 ? rho - 3.0 : std::hypot(rho, z - 3.0) - 3.0;
-    const Vec2 out(rho - 3.0, -z);
-    return out.cwiseMax(Vec2::Zero()).norm() + std::min(out.maxCoeff(), 0.0);
-  }
   /// The distance to the nearest of many places of the tools, and how far a point of them goes between two.
   std::pair<double, double> nearest(const Vec3& p) const {
     constexpr int kPlaces = 3000;
@@ -64,17 +57,13 @@ struct Cuts {
       const PosedWay::Bounds bounds = way.boundsOn(0.0, 1.0);
       gap = std::max(gap, (bounds.tip.velocity + 40.0 * bounds.axis.velocity) / kPlaces);
       for (int i = 0; i <= kPlaces; ++i)
-        least = std::min(least, fromTool(m.tool, p, way.at(static_cast<double>(i) / kPlaces)));
+        least = std::min(least, test::fromTool(m.tool, p, way.at(static_cast<double>(i) / kPlaces)));
     }
     return {least, gap};
   }
 };
 
-const BoxShape kBlank{{0, 0, -10}, {40, 30, 0}};
-
-double insideBlank(const Vec3& p) {
-  return std::min((p - kBlank.min).minCoeff(), (kBlank.max - p).minCoeff());
-}
+const BoxShape& kBlank = test::kReferenceBlank;
 
 /// One motion of each law.
 Cuts randomCuts(test::RandomMoves& moves) {
@@ -120,7 +109,7 @@ TEST(PosedPart, IsTheBlankLessEveryPlaceOfTheTools) {
     for (int i = 0; i < 60; ++i) {
       const Vec3 p(moves.number(-1, 41), moves.number(-1, 31), moves.number(-11, 1));
       const auto [tool, gap] = cuts.nearest(p);
-      const double depth = std::min(insideBlank(p), tool);
+      const double depth = std::min(test::insideBlank(p), tool);
       const ExactPart::Sample s = (*part)->at(p, 100.0);
       slack = std::max(slack, gap);
       if (depth > 0.0) {
@@ -149,17 +138,7 @@ TEST(PosedPart, PointsSettleOnTheSurfaceAndKnowTheirMotion) {
     ASSERT_TRUE(part.ok());
     for (int i = 0; i < 400; ++i) {
       const Vec3 from(moves.number(1, 39), moves.number(1, 29), moves.number(-7, 0));
-      if (std::abs((*part)->at(from, 1.0).value) > 0.3) continue;
-      const SettledPoint at = settle(**part, from, 1.0);
-      if (!at.found) continue;
-      const auto [tool, gap] = cuts.nearest(at.p);
-      EXPECT_NEAR(std::min(insideBlank(at.p), tool), 0.0, at.residual + gap + 1e-5) << at.p.transpose();
-      if (at.maker.motion == kNoMotion) continue;
-      ++made;
-      Cuts alone = cuts;
-      alone.path.motions = {cuts.path.motions[at.maker.motion]};
-      const auto [own, own_gap] = alone.nearest(at.p);
-      EXPECT_NEAR(own, 0.0, at.residual + own_gap + 1e-5) << at.p.transpose();
+      made += test::settles(**part, cuts, from) ? 1 : 0;
     }
   }
   EXPECT_GT(made, 30);

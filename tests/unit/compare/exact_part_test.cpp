@@ -7,16 +7,15 @@
 
 #include "core/path/posed_way.h"
 #include "removal/exact/swept_part.h"
+#include "tests/support/exact_part_reference.h"
 
 namespace proveout {
 namespace {
 
-constexpr double kRadius = 3.0;
-
 Tool flat() {
   Tool tool;
   tool.number = 1;
-  tool.diameter = 2 * kRadius;
+  tool.diameter = 2 * test::kReferenceRadius;
   return tool;
 }
 Tool ball() {
@@ -24,17 +23,6 @@ Tool ball() {
   tool.number = 2;
   tool.type = ToolType::kBall;
   return tool;
-}
-
-/// Distance from the tool with its tip at `tip`, mm; below 0 inside.
-double fromTool(int number, const Vec3& p, const Vec3& tip) {
-  const Vec3 q = p - tip;
-  const double rho = q.head<2>().norm();
-  if (number == 2) {
-    return q.z() >= kRadius ? rho - kRadius : std::hypot(rho, q.z() - kRadius) - kRadius;
-  }
-  const Vec2 out(rho - kRadius, -q.z());
-  return out.cwiseMax(Vec2::Zero()).norm() + std::min(out.maxCoeff(), 0.0);
 }
 
 struct Cuts {
@@ -66,7 +54,7 @@ struct Cuts {
         const Vec3 tip = path.pointAt(m, static_cast<double>(i) / kPlaces);
         gap = std::max(gap, (tip - last).norm());
         last = tip;
-        least = std::min(least, fromTool(m.tool, p, tip));
+        least = std::min(least, test::fromTool(m.tool, p, {tip, Vec3::UnitZ()}));
       }
     }
     return {least, gap};
@@ -88,11 +76,7 @@ Cuts randomCuts(std::mt19937& random) {
   return cuts;
 }
 
-const BoxShape kBlank{{0, 0, -10}, {40, 30, 0}};
-
-double insideBlank(const Vec3& p) {  // depth below the blank's surface, below 0 outside
-  return std::min((p - kBlank.min).minCoeff(), (kBlank.max - p).minCoeff());
-}
+const BoxShape& kBlank = test::kReferenceBlank;
 
 TEST(ExactPart, IsTheBlankLessEveryPlaceOfTheTools) {
   std::mt19937 random(11);
@@ -104,7 +88,7 @@ TEST(ExactPart, IsTheBlankLessEveryPlaceOfTheTools) {
     for (int i = 0; i < 40; ++i) {
       const Vec3 p(x(random), y(random), z(random));
       const auto [tool, gap] = cuts.nearest(p);
-      const double depth = std::min(insideBlank(p), tool);  // in the material exact, else below 0
+      const double depth = std::min(test::insideBlank(p), tool);  // in the material exact, else below 0
       const ExactPart::Sample s = (*part)->at(p, 100.0);
       if (depth > 0.0) {
         EXPECT_NEAR(-s.value, depth, gap) << p.transpose();
@@ -156,7 +140,7 @@ TEST(ExactPart, ToolsThatTiltAreAskedInPiecesOfTheirWay) {
     ASSERT_TRUE(part.ok());
     for (int i = 0; i < 40; ++i) {
       const Vec3 p(x(random), y(random), z(random));
-      double depth = insideBlank(p), gap = 0.0;
+      double depth = test::insideBlank(p), gap = 0.0;
       for (const Motion& m : path.motions) {
         const PosedWay way = posedWayOf(path, m);
         ToolPose last = way.at(0.0);
@@ -164,9 +148,7 @@ TEST(ExactPart, ToolsThatTiltAreAskedInPiecesOfTheirWay) {
           const ToolPose pose = way.at(static_cast<double>(k) / kPlaces);
           gap = std::max(gap, (pose.tip - last.tip).norm() + kReach * (pose.axis - last.axis).norm());
           last = pose;
-          const double up = (p - pose.tip).dot(pose.axis);
-          depth = std::min(
-              depth, fromTool(m.tool, Vec3((p - pose.tip - up * pose.axis).norm(), 0, up), Vec3::Zero()));
+          depth = std::min(depth, test::fromTool(m.tool, p, pose));
         }
       }
       const ExactPart::Sample s = (*part)->at(p, kNear);
@@ -190,18 +172,7 @@ TEST(ExactPart, PointsSettleOnTheSurfaceAndKnowTheirMotion) {
     for (int i = 0; i < 600; ++i) {
       // As the samples of a mesh: not far off.
       const Vec3 from(x(random), y(random), z(random));
-      if (std::abs((*part)->at(from, 1.0).value) > 0.3) continue;
-      const SettledPoint at = settle(**part, from, 1.0);
-      if (!at.found) continue;
-      const auto [tool, gap] = cuts.nearest(at.p);
-      const double off = std::min(insideBlank(at.p), tool);
-      EXPECT_NEAR(off, 0.0, at.residual + gap + 1e-5) << at.p.transpose();
-      if (at.maker.motion == kNoMotion) continue;
-      ++made;
-      Cuts alone = cuts;
-      alone.path.motions = {cuts.path.motions[at.maker.motion]};
-      const auto [own, own_gap] = alone.nearest(at.p);
-      EXPECT_NEAR(own, 0.0, at.residual + own_gap + 1e-5) << at.p.transpose();
+      made += test::settles(**part, cuts, from) ? 1 : 0;
     }
   }
   EXPECT_GT(made, 50);
