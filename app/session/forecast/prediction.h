@@ -48,6 +48,8 @@ enum class CurveKind {
   kTurnsSearched
 };
 inline constexpr int kCurveKinds = 18;
+/// From this one on, tools lean or turn.
+inline constexpr int kFirstTilted = static_cast<int>(CurveKind::kLeansOnLine);
 
 /// What the figures are made of. Does not depend on the grid.
 struct Workload {
