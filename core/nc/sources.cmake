@@ -12,7 +12,9 @@ target_sources(proveout_core PRIVATE
   nc/stages/contour_stage.cpp
   nc/control/channels.cpp
   nc/registry/coverage.cpp
+  nc/specification/fanuc_rows.cpp
   nc/specification/flexnc_rows.cpp
+  nc/specification/linuxcnc_rows.cpp
   nc/specification/nct_rows.cpp
   nc/specification/wedm_rows.cpp
   nc/specification/wl4_rows.cpp
@@ -183,6 +185,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/system_variables/status_bank.cpp
   nc/iso/system_variables/all_banks.cpp
   nc/iso/system_variables/tool_offset_bank.cpp
+  nc/iso/model/code_coverage.cpp
   nc/iso/model/codes.cpp
   nc/nct/tables/axes.cpp
   nc/nct/tables/comp.cpp
@@ -206,5 +209,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/tools/tools.cpp
   nc/iso/stages/zone_stage.cpp
   nc/iso/zones/zones.cpp)
+include(nc/fanuc/sources.cmake)
+include(nc/linuxcnc/sources.cmake)
 include(nc/flexnc/sources.cmake)
 include(nc/services/sources.cmake)

@@ -318,7 +318,6 @@ TEST(Commands, UnknownWordsNameTheNearestOne) {
   told(run + "--view tpo", "did you mean 'top'?");
   told("run ring.nc --control nct --stock cylnder:1 --tool 1=flat:3", "did you mean 'cylinder:'?");
   told("run ring.nc --control nct --stock box:0,0,0:9,9,9 --tool 1=bal:3", "did you mean 'ball'?");
-  EXPECT_FALSE(has(bench.run("check ring.nc --control x").err, "rs274ngc")) << "not built";
 }
 
 TEST(Commands, KeysOfJobsThatPeopleWriteAreMet) {

@@ -12,7 +12,7 @@ namespace proveout {
 
 struct ControlSettings;
 
-enum class ControlId { kNct, kWl4Mill, kWl4Lathe, kFlexNc, kWedm, kRs274Ngc };
+enum class ControlId { kNct, kWl4Mill, kWl4Lathe, kFlexNc, kWedm, kFanucMill, kFanucLathe, kLinuxCnc };
 
 struct ControlInfo {
   ControlId id;

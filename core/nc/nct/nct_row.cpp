@@ -1,12 +1,9 @@
 #include "core/nc/nct/nct_row.h"
 
-#include <fmt/core.h>
-
 #include <sstream>
-#include <utility>
 
 #include "core/nc/iso/channels/channels.h"
-#include "core/nc/iso/model/codes.h"
+#include "core/nc/iso/model/code_coverage.h"
 #include "core/nc/iso/program/control.h"
 #include "core/nc/nct/coverage/coverage_rows.h"
 #include "core/nc/nct/dialect.h"
@@ -26,47 +23,7 @@ InterpretSummary runChannels(const std::vector<ChannelProgram>& channels, Motion
   return IsoChannels(nctDialect(), channels, sink, progress, host).run();
 }
 
-std::string_view statusOf(CodeClass cls, bool built) {
-  if (!built) return "refused";
-  switch (cls) {
-    case CodeClass::kSim:
-      return "simulated";
-    case CodeClass::kTime:
-      return "timed";
-    case CodeClass::kState:
-      return "tracked";
-    case CodeClass::kHost:
-      return "noted";
-    case CodeClass::kReject:
-      return "checked";
-  }
-  return "refused";
-}
-
-/// `code`: a row of the tables, whatever its kind.
-template <class Code>
-CoverageRow coverageRow(std::string name, int group, const Code& code, bool built) {
-  return {std::move(name),
-          group,
-          std::string(codeClassName(code.cls)),
-          std::string(statusOf(code.cls, built)),
-          std::string(code.ids),
-          std::string(code.meaning)};
-}
-
-std::vector<CoverageRow> coverage() {
-  std::vector<CoverageRow> rows;
-  const CodeIndex& codes = nctCodes();
-  for (const GCode* g : codes.allG()) {
-    std::string name = fmt::format("G{}", g->code10 / 10);
-    if (g->code10 % 10 != 0) name += fmt::format(".{}", g->code10 % 10);
-    rows.push_back(coverageRow(std::move(name), g->group, *g, g->built));
-  }
-  for (const MCode* m : codes.allM()) rows.push_back(coverageRow(fmt::format("M{}", m->code), -1, *m, true));
-  for (const FeatureRow* f : codes.allFeatures())
-    rows.push_back(coverageRow(std::string(f->code), -1, *f, f->built));
-  return rows;
-}
+std::vector<CoverageRow> coverage() { return coverageOf(nctCodes()); }
 
 std::vector<CoverageIdRow> coverageIds() {
   std::vector<CoverageIdRow> rows;

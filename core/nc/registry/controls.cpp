@@ -10,29 +10,19 @@
 
 #include "core/base/assert.h"
 #include "core/base/nearest_name.h"
+#include "core/nc/fanuc/fanuc_row.h"
 #include "core/nc/flexnc/flexnc_row.h"
+#include "core/nc/linuxcnc/linuxcnc_row.h"
 #include "core/nc/nct/nct_row.h"
 #include "core/nc/wedm/wedm_row.h"
 #include "core/nc/wl4/wl4_row.h"
 
 namespace proveout {
 namespace nc {
-namespace {
-
-const ControlRow& rs274NgcRow() {
-  static const ControlRow kRow{
-      .id = ControlId::kRs274Ngc,
-      .name = "rs274ngc",
-      .summary = "RS274/NGC, milling",
-  };
-  return kRow;
-}
-
-}  // namespace
 
 std::span<const ControlRow* const> controlRows() {
-  static const std::array kRows{&nctRow(),    &wl4MillRow(), &wl4LatheRow(),
-                                &flexncRow(), &wedmRow(),    &rs274NgcRow()};
+  static const std::array kRows{&nctRow(),  &wl4MillRow(),   &wl4LatheRow(),   &flexncRow(),
+                                &wedmRow(), &fanucMillRow(), &fanucLatheRow(), &linuxCncRow()};
   return kRows;
 }
 

@@ -7,5 +7,7 @@ extern const char* const kNct;
 extern const char* const kWl4;
 extern const char* const kFlexnc;
 extern const char* const kWedm;
+extern const char* const kFanuc;  ///< rows of haas too
+extern const char* const kLinuxCnc;
 
 }  // namespace proveout::specification_text

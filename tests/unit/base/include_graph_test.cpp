@@ -230,7 +230,7 @@ TEST(IsoWall, TheSharedCodeNamesNoControl) {
     if (!file.starts_with("core/nc/iso/")) continue;
     ++seen;
     for (const std::string& other : included) {
-      for (const char* control : {"nct/", "wl4/", "flexnc/", "wedm/", "registry/"})
+      for (const char* control : {"nct/", "fanuc/", "linuxcnc/", "wl4/", "flexnc/", "wedm/", "registry/"})
         EXPECT_FALSE(other.starts_with(std::string("core/nc/") + control)) << file << ": " << other;
     }
     const std::string all = contentOf(file);
@@ -238,6 +238,20 @@ TEST(IsoWall, TheSharedCodeNamesNoControl) {
       EXPECT_EQ(all.find(name), std::string::npos) << file << ": " << name;
   }
   EXPECT_GT(seen, 100u);
+}
+
+/// Controls of the family are tables beside each other: what two of them need is the family's.
+TEST(IsoWall, ControlsOfTheFamilyKnowNoOther) {
+  const std::vector<std::string> family{"core/nc/nct/", "core/nc/fanuc/", "core/nc/linuxcnc/"};
+  for (const auto& [file, included] : includes()) {
+    for (const std::string& own : family) {
+      if (!file.starts_with(own)) continue;
+      for (const std::string& other : included) {
+        for (const std::string& control : family)
+          EXPECT_FALSE(control != own && other.starts_with(control)) << file << ": " << other;
+      }
+    }
+  }
 }
 
 /// What a process is shows in its row and in its workpieces alone: with another one nothing else changes.

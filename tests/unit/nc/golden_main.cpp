@@ -59,10 +59,10 @@ struct Control {
   std::size_t rows = 0;       ///< of the control's own list
   std::size_t specified = 0;  ///< of the manual
 };
-const Control kControls[] = {{ControlId::kNct, "nct-", 811, 844},
-                             {ControlId::kWl4Lathe, "wl4-", 202, 202},
-                             {ControlId::kFlexNc, "fnc-", 163, 163},
-                             {ControlId::kWedm, "wedm-", 95, 95}};
+const Control kControls[] = {
+    {ControlId::kNct, "nct-", 811, 844},       {ControlId::kWl4Lathe, "wl4-", 202, 202},
+    {ControlId::kFlexNc, "fnc-", 163, 163},    {ControlId::kWedm, "wedm-", 95, 95},
+    {ControlId::kFanucMill, "fan-", 324, 324}, {ControlId::kLinuxCnc, "lcn-", 142, 142}};
 
 /// Ids of a control after "proves:" in the about sections.
 std::set<std::string> provenIds(const Control& control) {

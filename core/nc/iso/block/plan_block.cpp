@@ -63,7 +63,7 @@ bool acceptG(IsoContext& c, BlockPlan& plan, const Word& w) {
           "group-clash",
           fmt::format("{} and {} cannot stand in one block", gName(slot->code10), gName(code10)), w);
     }
-  } else if (slot != nullptr) {
+  } else if (slot != nullptr && !c.dialect.rules.last_of_group) {
     const auto same = slot == code
                           ? fmt::format("{} twice in one block", gName(code10))
                           : fmt::format("{} and {} are of one group", gName(slot->code10), gName(code10));

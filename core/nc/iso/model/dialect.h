@@ -39,6 +39,12 @@ struct IncrementWords {
   double inch = 0.0001;   ///< of a unit, G20
 };
 
+/// Where controls of the family do the same statement differently. The defaults are those of nct; a member
+/// says what the others do.
+struct IsoRules {
+  bool last_of_group = false;  ///< of several codes of a group in a block the last holds; false: they clash
+};
+
 struct IsoDialect {
   std::string_view name;  ///< of the control
   const AlarmTable& alarms;
@@ -49,6 +55,7 @@ struct IsoDialect {
   std::span<const IncrementWords> increments = {};
   ProgramLayout layout = ProgramLayout::kOneInAFile;
   MessageNumbers messages = {};
+  IsoRules rules = {};
   /// Makes the system variables of a channel known to its variables. Null: there are none.
   std::unique_ptr<SystemVariables> (*system_variables)(IsoContext&) = nullptr;
 };

@@ -20,6 +20,14 @@ constexpr ParamInfo bit(std::string_view name, int no, int position, ParamScope 
                         std::string_view meaning) {
   return {name, no, position, scope, default_value, 0, 1, meaning};
 }
+/// A row whose values have names: "calculator increment" are 0 and 1.
+constexpr ParamInfo choice(std::string_view name, int no, double default_value, std::string_view words,
+                           std::string_view meaning) {
+  ParamInfo row{name, no, kWholeParam, kChannel, default_value, 0, 0, meaning};
+  for (const char c : words) row.max += c == ' ' ? 1 : 0;
+  row.choices = words;
+  return row;
+}
 /// A row that programs cannot change.
 constexpr ParamInfo atPowerOn(ParamInfo row) {
   row.restart = true;

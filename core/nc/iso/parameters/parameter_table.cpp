@@ -36,6 +36,7 @@ std::size_t rowsOf(ParamChapter chapter) {
       return static_cast<std::size_t>(SafetyParam::kCount);
     case ParamChapter::kFiveAxis:
       return static_cast<std::size_t>(FiveAxisParam::kCount);
+    case ParamChapter::kOwn:
     case ParamChapter::kCount:
       break;
   }
@@ -71,9 +72,10 @@ void fixUsual(ParameterTable& table) {
 
 }  // namespace
 
-ParameterTable::ParameterTable(std::string_view control) : control_(control) {
+ParameterTable::ParameterTable(std::string_view control, std::size_t own_rows) : control_(control) {
   for (std::size_t k = 0; k < chapters_.size(); ++k)
     chapters_[k].resize(rowsOf(static_cast<ParamChapter>(k)));
+  chapters_[static_cast<std::size_t>(ParamChapter::kOwn)].resize(own_rows);
   fixUsual(*this);
 }
 
@@ -106,7 +108,7 @@ std::vector<ParameterInfo> ParameterTable::list() const {
     for (const ParamInfo& p : chapter) {
       const int count = scopeCount(p.scope);
       if (!p.name.empty())
-        all.push_back({p.name, p.default_value, p.min, p.max, p.meaning, count > 1 ? count : 0});
+        all.push_back({p.name, p.default_value, p.min, p.max, p.meaning, count > 1 ? count : 0, p.choices});
     }
   }
   return all;

@@ -23,8 +23,8 @@ struct ElsewhereParam {
 /// which 0 would mean a machine without something (parameter_table.cpp).
 class ParameterTable {
  public:
-  /// `control`: its name, for messages.
-  explicit ParameterTable(std::string_view control);
+  /// `control`: its name, for messages; `own_rows`: of ParamChapter::kOwn.
+  explicit ParameterTable(std::string_view control, std::size_t own_rows = 0);
   /// All rows of a chapter, in the order of its enumeration.
   ParameterTable& add(ParamChapter chapter, std::span<const ParamInfo> rows);
   template <class Enum>

@@ -24,8 +24,9 @@ struct ParamInfo {
   ParamScope scope = ParamScope::kChannel;
   double default_value = 0.0, min = 0.0, max = 0.0;  ///< lengths mm
   std::string_view meaning;
-  bool restart = false;  ///< takes effect at power-on only: programs cannot change it
-  bool noted = false;    ///< accepted, without effect in the simulation; a note says so
+  bool restart = false;           ///< takes effect at power-on only: programs cannot change it
+  bool noted = false;             ///< accepted, without effect in the simulation; a note says so
+  std::string_view choices = {};  ///< words that a job gives in place of 0, 1, ..., separated by blanks
 };
 
 /// The chapters of the parameter table. Each has a header with an enumeration in the order of its rows and a
@@ -45,6 +46,7 @@ enum class ParamChapter : std::uint8_t {
   kProgram,
   kSafety,
   kFiveAxis,
+  kOwn,  ///< what only this control has; its enumeration is the control's
   kCount
 };
 /// A row of the table.

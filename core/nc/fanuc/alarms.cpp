@@ -1,0 +1,46 @@
+#include "core/nc/fanuc/alarms.h"
+
+namespace proveout::nc {
+
+const AlarmTable& fanucAlarms() {
+  static const AlarmTable kTable{
+      "fanuc",
+      {
+          {SharedAlarm::kOutOfRange, 3, {}, "too many digits or value out of range: {}"},
+          {SharedAlarm::kIllegalAddress, 9, {}, "illegal address {}"},
+          {SharedAlarm::kNotImplemented, 10, {}, "improper G-code: {}"},
+          {SharedAlarm::kCircleRadius, 20, {}, "over tolerance of radius"},
+          {SharedAlarm::kCircle, 22, {}, "no radius, no centre, or a centre outside of the plane"},
+          {SharedAlarm::kCompNoIntersection, 33, {}, "no intersection in cutter compensation"},
+          {SharedAlarm::kCompEndInArc,
+           34,
+           {},
+           "no circle allowed at the start or end of cutter compensation"},
+          {SharedAlarm::kProbeState, 35, {}, "G31 cannot be used here: {}"},
+          {SharedAlarm::kPlane, 28, {}, "illegal plane select"},
+          {SharedAlarm::kCompInterference, 41, {}, "interference in cutter compensation"},
+          {SharedAlarm::kCorner, 52, {}, "improper chamfer or corner: no G01 to G03 behind it"},
+          {SharedAlarm::kCornerTooLarge, 55, {}, "missing move value in chamfer or corner: it does not fit"},
+          {SharedAlarm::kChamferAndRounding, 50, {}, "chamfer and corner in one block"},
+          {SharedAlarm::kProgramNotFound, 76, {}, "program {} not found"},
+          {SharedAlarm::kFileNotFound, 76, {}, "program not found"},
+          {SharedAlarm::kBlockNotFound, 78, {}, "number not found: {}"},
+          {SharedAlarm::kValueLimit, 111, {}, "calculated data overflow: {}"},
+          {SharedAlarm::kDivision, 112, {}, "divided by zero"},
+          {SharedAlarm::kSyntax, 114, {}, "format error"},
+          {SharedAlarm::kVariable, 115, {}, "illegal variable number: {}"},
+          {SharedAlarm::kReadOnly, 116, {}, "write protected variable {}"},
+          {SharedAlarm::kRightBracket, 118, {}, "bracket is missing"},
+          {SharedAlarm::kTerminator, 114, {}, "format error: {}"},
+          {SharedAlarm::kTangent, 119, {}, "illegal argument"},
+          {SharedAlarm::kArcFunction, 119, {}, "illegal argument"},
+          {SharedAlarm::kLogarithm, 119, {}, "illegal argument"},
+          {SharedAlarm::kRoot, 119, {}, "illegal argument"},
+          {SharedAlarm::kBits, 119, {}, "illegal argument"},
+          {SharedAlarm::kWhileWithoutDo, 124, {}, "missing END statement or DO"},
+          {SharedAlarm::kDuplicateWord, 5074, {}, "address duplication error: {}"},
+      }};
+  return kTable;
+}
+
+}  // namespace proveout::nc

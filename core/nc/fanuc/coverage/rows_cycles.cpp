@@ -1,0 +1,71 @@
+// Rows of cutter compensation, transformations and drilling cycles.
+#include "core/nc/fanuc/coverage/rows.h"
+
+namespace proveout::nc {
+namespace {
+
+// clang-format off: one row a line
+constexpr auto kFanucCycleRowsList = std::to_array<CoverageIdRow>({
+    {"fan-8-G40", "SIM", "missing", ""},
+    {"fan-8-G41", "SIM", "missing", ""},
+    {"fan-8-G42", "SIM", "missing", ""},
+    {"fan-8-startA", "SIM", "missing", ""},
+    {"fan-8-startB", "SIM", "missing", ""},
+    {"fan-8-cancel", "SIM", "missing", ""},
+    {"fan-8-corner", "SIM", "missing", ""},
+    {"fan-8-inner", "SIM", "missing", ""},
+    {"fan-8-nomove", "SIM", "missing", ""},
+    {"fan-8-dchange", "SIM", "missing", ""},
+    {"fan-8-sidechange", "SIM", "missing", ""},
+    {"fan-8-G39", "SIM", "missing", ""},
+    {"fan-8-041", "REJECT", "missing", ""},
+    {"fan-8-034", "REJECT", "missing", ""},
+    {"fan-8-inside", "SIM", "missing", ""},
+    {"fan-8-dmissing", "STATE", "missing", ""},
+    {"fan-8-feed", "TIME", "missing", ""},
+    {"fan-8-G41.1", "STATE", "missing", ""},
+    {"fan-9-G68", "SIM", "missing", ""},
+    {"fan-9-G68inc", "SIM", "missing", ""},
+    {"fan-9-G69", "SIM", "missing", ""},
+    {"fan-9-G68.1", "SIM", "missing", ""},
+    {"fan-9-doubleturret", "REJECT", "missing", ""},
+    {"fan-9-G51", "SIM", "missing", ""},
+    {"fan-9-G50", "SIM", "missing", ""},
+    {"fan-9-G51arc", "SIM", "missing", ""},
+    {"fan-9-G51.1", "SIM", "missing", ""},
+    {"fan-9-G50.1", "SIM", "missing", ""},
+    {"fan-9-order", "SIM", "missing", ""},
+    {"fan-9-mirrorcomp", "SIM", "missing", ""},
+    {"fan-9-G15", "SIM", "missing", ""},
+    {"fan-9-G16", "SIM", "missing", ""},
+    {"fan-10-G73", "SIM", "missing", ""},
+    {"fan-10-G74", "SIM", "missing", ""},
+    {"fan-10-G76", "SIM", "missing", ""},
+    {"fan-10-G80", "SIM", "missing", ""},
+    {"fan-10-G81", "SIM", "missing", ""},
+    {"fan-10-G82", "SIM", "missing", ""},
+    {"fan-10-G83", "SIM", "missing", ""},
+    {"fan-10-G84", "SIM", "missing", ""},
+    {"fan-10-G85", "SIM", "missing", ""},
+    {"fan-10-G86", "SIM", "missing", ""},
+    {"fan-10-G87", "SIM", "missing", ""},
+    {"fan-10-G88", "SIM", "missing", ""},
+    {"fan-10-G89", "SIM", "missing", ""},
+    {"fan-10-rigid", "SIM", "missing", ""},
+    {"fan-10-rigidpeck", "SIM", "missing", ""},
+    {"fan-10-rigiderr", "REJECT", "missing", ""},
+    {"fan-10-return", "SIM", "missing", ""},
+    {"fan-10-K", "SIM", "missing", ""},
+    {"fan-10-inc", "SIM", "missing", ""},
+    {"fan-10-nomove", "SIM", "missing", ""},
+    {"fan-10-group1", "SIM", "missing", ""},
+    {"fan-10-missing", "REJECT", "missing", ""},
+    {"fan-10-G81.1", "REJECT", "missing", ""},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const CoverageIdRow> fanucCycleRows() { return kFanucCycleRowsList; }
+
+}  // namespace proveout::nc

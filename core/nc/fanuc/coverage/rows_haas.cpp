@@ -1,0 +1,38 @@
+// Rows of the flavour of Haas.
+#include "core/nc/fanuc/coverage/rows.h"
+
+namespace proveout::nc {
+namespace {
+
+// clang-format off: one row a line
+constexpr auto kHaasRowsList = std::to_array<CoverageIdRow>({
+    {"haas-18-dec", "SIM", "missing", ""},      {"haas-18-group", "REJECT", "missing", ""},
+    {"haas-18-G28", "SIM", "missing", ""},      {"haas-18-G53", "SIM", "missing", ""},
+    {"haas-18-M97", "SIM", "missing", ""},      {"haas-18-M98L", "SIM", "missing", ""},
+    {"haas-18-M96", "REJECT", "missing", ""},   {"haas-18-M", "HOST", "missing", ""},
+    {"haas-18-G04", "TIME", "missing", ""},     {"haas-18-G52", "SIM", "missing", ""},
+    {"haas-18-G92", "SIM", "missing", ""},      {"haas-18-G154", "SIM", "missing", ""},
+    {"haas-18-G110", "SIM", "missing", ""},     {"haas-18-G47", "SIM", "missing", ""},
+    {"haas-18-G12", "SIM", "missing", ""},      {"haas-18-G13", "SIM", "missing", ""},
+    {"haas-18-G150", "SIM", "missing", ""},     {"haas-18-G70", "SIM", "missing", ""},
+    {"haas-18-G71", "SIM", "missing", ""},      {"haas-18-G72", "SIM", "missing", ""},
+    {"haas-18-G73", "SIM", "missing", ""},      {"haas-18-G84", "TIME", "missing", ""},
+    {"haas-18-L", "SIM", "missing", ""},        {"haas-18-Ropt", "SIM", "missing", ""},
+    {"haas-18-G77", "SIM", "missing", ""},      {"haas-18-G100", "SIM", "missing", ""},
+    {"haas-18-G101", "SIM", "missing", ""},     {"haas-18-G02", "REJECT", "missing", ""},
+    {"haas-18-G103", "HOST", "missing", ""},    {"haas-18-G187", "TIME", "missing", ""},
+    {"haas-18-G141", "SIM", "missing", ""},     {"haas-18-G143", "SIM", "missing", ""},
+    {"haas-18-G136", "REJECT", "missing", ""},  {"haas-18-G107", "SIM", "missing", ""},
+    {"haas-18-offsets", "SIM", "missing", ""},  {"haas-18-vars", "SIM", "missing", ""},
+    {"haas-18-macro", "SIM", "missing", ""},    {"haas-18-latheG71", "SIM", "missing", ""},
+    {"haas-18-latheG72", "SIM", "missing", ""}, {"haas-18-latheG73", "SIM", "missing", ""},
+    {"haas-18-latheG74", "SIM", "missing", ""}, {"haas-18-latheG76", "SIM", "missing", ""},
+    {"haas-18-T", "SIM", "missing", ""},
+});
+// clang-format on
+
+}  // namespace
+
+std::span<const CoverageIdRow> haasRows() { return kHaasRowsList; }
+
+}  // namespace proveout::nc

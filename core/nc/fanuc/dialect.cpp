@@ -1,0 +1,73 @@
+#include "core/nc/fanuc/dialect.h"
+
+#include <array>
+
+#include "core/nc/fanuc/alarms.h"
+#include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/parameters/fanuc_parameters.h"
+#include "core/nc/fanuc/tables/tables.h"
+#include "core/nc/iso/system_variables/all_banks.h"
+
+namespace proveout::nc {
+namespace {
+
+LexRules fanucLexing() {
+  LexRules rules;
+  rules.keep_repeats = true;
+  rules.incremental_operator = false;
+  return rules;
+}
+
+/// The address rule of "increment" (section 2 of the rows).
+constexpr std::array<IncrementWords, 1> kIncrements{{{"XYZUVWABCIJKRQ", 0.001, 0.0001}}};
+
+IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increments) {
+  IsoRules rules;
+  rules.last_of_group = true;
+  return {
+      .name = name,
+      .alarms = fanucAlarms(),
+      .codes = codes,
+      .parameters = fanucParameters(),
+      .formulas = fanucFormulas(),
+      .lexing = fanucLexing(),
+      .increments =
+          increments ? std::span<const IncrementWords>(kIncrements) : std::span<const IncrementWords>(),
+      .layout = ProgramLayout::kSeveralInAFile,
+      .rules = rules,
+      .system_variables = allBanks,
+  };
+}
+
+bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
+  const auto given = settings.find(std::string(fanucParameters().row(p).name));
+  return given != settings.end() && given->second != 0.0;
+}
+
+}  // namespace
+
+const CodeIndex& fanucMillCodes() {
+  static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
+                                 fanucTransformsTable(), fanucMacroTable()});
+  return kIndex;
+}
+
+const CodeIndex& fanucLatheCodes() {
+  static const CodeIndex kIndex(
+      {fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(), fanucMacroTable()});
+  return kIndex;
+}
+
+const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings) {
+  static const IsoDialect kCalculator = dialectOf("fanuc-mill", fanucMillCodes(), false);
+  static const IsoDialect kIncrement = dialectOf("fanuc-mill", fanucMillCodes(), true);
+  return chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator;
+}
+
+const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& settings) {
+  static const IsoDialect kCalculator = dialectOf("fanuc-lathe", fanucLatheCodes(), false);
+  static const IsoDialect kIncrement = dialectOf("fanuc-lathe", fanucLatheCodes(), true);
+  return chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,11 @@
+// Fanuc-like controls in the list of controls.
+#pragma once
+
+#include "core/nc/control/control_row.h"
+
+namespace proveout::nc {
+
+const ControlRow& fanucMillRow();
+const ControlRow& fanucLatheRow();
+
+}  // namespace proveout::nc

@@ -1,0 +1,17 @@
+// The chapters of the code tables of Fanuc-like controls; dialect.cpp puts them together.
+#pragma once
+
+#include "core/nc/iso/model/codes.h"
+
+namespace proveout::nc {
+
+// Mills and lathes.
+CodeTable fanucMotionTable();
+CodeTable fanucFramesTable();
+CodeTable fanucCompTable();
+CodeTable fanucTransformsTable();
+CodeTable fanucMacroTable();
+// Mills.
+CodeTable fanucCyclesTable();
+
+}  // namespace proveout::nc

@@ -1,0 +1,40 @@
+#include "core/nc/linuxcnc/dialect.h"
+
+#include "core/nc/iso/system_variables/all_banks.h"
+#include "core/nc/linuxcnc/alarms.h"
+#include "core/nc/linuxcnc/formulas.h"
+#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+#include "core/nc/linuxcnc/tables/tables.h"
+
+namespace proveout::nc {
+namespace {
+
+LexRules linuxCncLexing() {
+  LexRules rules;
+  rules.incremental_operator = false;
+  rules.comma_addresses = false;
+  return rules;
+}
+
+}  // namespace
+
+const CodeIndex& linuxCncCodes() {
+  static const CodeIndex kIndex({linuxCncMotionTable()});
+  return kIndex;
+}
+
+const IsoDialect& linuxCncDialect(const std::map<std::string, double>& /*settings*/) {
+  static const IsoDialect kDialect{
+      .name = "linuxcnc",
+      .alarms = linuxCncAlarms(),
+      .codes = linuxCncCodes(),
+      .parameters = linuxCncParameters(),
+      .formulas = linuxCncFormulas(),
+      .lexing = linuxCncLexing(),
+      .layout = ProgramLayout::kSeveralInAFile,
+      .system_variables = allBanks,
+  };
+  return kDialect;
+}
+
+}  // namespace proveout::nc

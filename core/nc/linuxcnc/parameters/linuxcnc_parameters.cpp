@@ -1,0 +1,27 @@
+#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+
+#include "core/nc/iso/parameters/cycles.h"
+#include "core/nc/iso/parameters/parameter_rows.h"
+
+namespace proveout::nc {
+
+const ParameterTable& linuxCncParameters() {
+  using namespace param_rows;
+  constexpr double kPeckRise = 0.254;  // 0.010 inch, of the interpreter
+  static const ParameterTable kTable = [] {
+    ParameterTable table("linuxcnc", static_cast<std::size_t>(LinuxCncParam::kCount));
+    table
+        .add(LinuxCncParam::kFlavour,
+             choice("flavour", kNoNumber, 0, "linuxcnc grbl mach3 pathpilot smoothie grblhal",
+                    "whose rows hold"))
+        .add(LinuxCncParam::kUnits,
+             choice("units", kNoNumber, 0, "mm inch", "of the machine: tool table, parameters 5161 to 5390"))
+        .add(LinuxCncParam::kLathe, bit("lathe", kNoNumber, kNamedBit, kChannel, 0, "starts in G18 and G8"))
+        .fix(CycleParam::kChipBreakReturn, kPeckRise)
+        .fix(CycleParam::kPeckClearance, kPeckRise);
+    return table;
+  }();
+  return kTable;
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,10 @@
+// The chapters of the code table of LinuxCNC; dialect.cpp puts them together.
+#pragma once
+
+#include "core/nc/iso/model/codes.h"
+
+namespace proveout::nc {
+
+CodeTable linuxCncMotionTable();
+
+}  // namespace proveout::nc
