@@ -152,6 +152,8 @@ bool takeM(IsoContext& c, BlockPlan& plan, const Word& w) {
   return true;
 }
 
+}  // namespace
+
 bool collectM(IsoContext& c, BlockPlan& plan) {
   if (!c.block.present.has('M')) return true;
   c.m_index.update(c.parameters);
@@ -160,6 +162,8 @@ bool collectM(IsoContext& c, BlockPlan& plan) {
   }
   return true;
 }
+
+namespace {
 
 bool planModal(IsoContext& c, BlockPlan& plan) {
   IsoState& next = plan.next;

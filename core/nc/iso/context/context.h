@@ -196,6 +196,7 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet
   ChannelSet channels;                          ///< of the run; empty: it has one
   WaitingPoint waiting;
+  std::unique_ptr<MakerData> maker;  ///< of the dialect's rules; null: they keep nothing
 
   /// Number of this channel, 1 to 8.
   int channel() const { return settings.channel > 0 ? settings.channel : 1; }

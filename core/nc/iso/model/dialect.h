@@ -18,6 +18,14 @@
 namespace proveout::nc {
 
 struct IsoContext;
+struct BlockPlan;
+struct IsoState;
+
+/// What a maker's own rules keep of a channel from block to block, beside the state of the family.
+class MakerData {
+ public:
+  virtual ~MakerData() = default;
+};
 
 /// The system variables of a channel: banks that its variables ask.
 class SystemVariables {
@@ -58,6 +66,12 @@ struct IsoDialect {
   IsoRules rules = {};
   /// Makes the system variables of a channel known to its variables. Null: there are none.
   std::unique_ptr<SystemVariables> (*system_variables)(IsoContext&) = nullptr;
+  /// Makes what the maker's rules keep of a channel (IsoContext::maker). Null: nothing.
+  std::unique_ptr<MakerData> (*maker_data)(IsoContext&) = nullptr;
+  /// Plans a block: all checks, on the plan's copy of the state. Null: planBlock().
+  bool (*plan)(IsoContext&, BlockPlan&) = nullptr;
+  /// What stands otherwise in the state of power-on, which is nct's. Null: nothing.
+  void (*power_on)(const IsoContext&, IsoState&) = nullptr;
 };
 
 }  // namespace proveout::nc

@@ -8,6 +8,8 @@ namespace proveout::nc {
 /// Plans the block in hand: all checks, on the plan's copy of the state. Changes nothing in the control.
 /// False: an error was reported.
 bool planBlock(IsoContext& c, BlockPlan& plan);
+/// The M functions of the block in hand, as planBlock() takes them. False: an error was reported.
+bool collectM(IsoContext& c, BlockPlan& plan);
 /// Carries the plan out and makes its state the control's. False: an error was reported.
 bool perform(IsoContext& c, BlockPlan& plan);
 

@@ -38,6 +38,7 @@ IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
       context_(dialect, source, settings_, sink, progress, host, summary_),
       run_(*this, context_.calls.frames(), summary_, settings_),
       lexer_(lexRules(context_), dialect.alarms) {
+  if (dialect.maker_data != nullptr) context_.maker = dialect.maker_data(context_);
   if (dialect.system_variables != nullptr) system_variables_ = dialect.system_variables(context_);
 }
 
@@ -229,7 +230,7 @@ Go IsoControl::execute() {
   IsoContext& c = context_;
   const bool taken = subprograms_.take(c) && takeInterruptWords();
   BlockPlan plan(c.state);
-  const bool good = taken && planBlock(c, plan) && perform(c, plan);
+  const bool good = taken && (c.dialect.plan ? c.dialect.plan : planBlock)(c, plan) && perform(c, plan);
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   run_.blockDone();  // a called subprogram still runs

@@ -80,6 +80,7 @@ IsoState powerOnState(const IsoContext& c) {
   s.axes.plane_w = static_cast<std::int8_t>(plane.w);
   s.axes.diameter = diameterAxes(c);
   s.tool = c.settings.tool;
+  if (c.dialect.power_on != nullptr) c.dialect.power_on(c, s);
   return s;
 }
 
