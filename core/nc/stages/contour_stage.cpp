@@ -93,7 +93,8 @@ bool CrossingStage::push(PathItem& item) {
   }
   if (crosses(item) && !cross(item)) return false;
   if (!release()) return false;
-  if (item.space == PathItem::Space::kProgram && item.comp_on && feedsInPlane(item)) {
+  const bool open = item.comp_on || item.meet == Meet::kOpen;
+  if (item.space == PathItem::Space::kProgram && open && feedsInPlane(item)) {
     hold(item);
     return true;
   }

@@ -43,7 +43,7 @@ class HoldingStage : public PathStage {
 };
 
 /// Over-determined blocks (nct manual 17.3): the corner with the block before is where both curves meet.
-/// Works in program space; to be linked while cutter compensation is on.
+/// Works in program space; to be linked while cutter compensation is on, or by a line with Meet::kOpen.
 class CrossingStage final : public HoldingStage {
  public:
   CrossingStage(MotionPipe& pipe, ContourReport& report) : HoldingStage(StageSlot::kContour, pipe, report) {}

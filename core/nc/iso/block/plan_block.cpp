@@ -61,12 +61,12 @@ bool acceptG(IsoContext& c, BlockPlan& plan, const Word& w) {
     if (slot != nullptr) {
       return c.failWord(
           "group-clash",
-          fmt::format("{} and {} cannot stand in one block", gName(slot->code10), gName(code10)), w);
+          fmt::format("{} and {} cannot stand in one block", gName(slot->number10()), gName(code10)), w);
     }
   } else if (slot != nullptr && !c.dialect.rules.last_of_group) {
     const auto same = slot == code
                           ? fmt::format("{} twice in one block", gName(code10))
-                          : fmt::format("{} and {} are of one group", gName(slot->code10), gName(code10));
+                          : fmt::format("{} and {} are of one group", gName(slot->number10()), gName(code10));
     return c.failWord("group-clash", same, w);
   }
   slot = code;
@@ -170,8 +170,8 @@ bool planModal(IsoContext& c, BlockPlan& plan) {
   const GCode* motion = plan.by_group[kGroupMotion];
   const GCode* cycle = plan.by_group[kGroupCycle];
   if (motion && cycle && cycle->code10 != gcode::kCycleCancel) {
-    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->code10),
-                                             gName(cycle->code10)));
+    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(motion->number10()),
+                                             gName(cycle->number10())));
   }
   for (std::size_t g = 1; plan.any_group && g < plan.by_group.size(); ++g) {
     const GCode* code = plan.by_group[g];
@@ -205,8 +205,8 @@ bool takeAxisWords(IsoContext& c, BlockPlan& plan, const GCode& code) {
   const GCode* one_shot = plan.by_group[kOneShot];
   const GCode* other = plan.governor ? plan.governor : one_shot && one_shot->plan ? one_shot : nullptr;
   if (other != nullptr) {
-    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(other->code10),
-                                             gName(code.code10)));
+    return c.fail("group-clash", fmt::format("{} and {} cannot stand in one block", gName(other->number10()),
+                                             gName(code.number10())));
   }
   plan.governor = &code;
   return true;
@@ -218,7 +218,7 @@ bool claim(IsoContext& c, BlockPlan& plan, const GCode& code) {
   const bool arc = motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise;
   if (code.group == kGroupRadiusComp && (arc || plan.next.inCycle())) return true;
   if (!(plan.claimed & code.words & c.block.present).empty()) {
-    return sharedWord(c, plan, code.words, gName(code.code10));
+    return sharedWord(c, plan, code.words, gName(code.number10()));
   }
   plan.claimed = plan.claimed | code.words;
   return true;
@@ -241,7 +241,7 @@ bool planNumbers(IsoContext& c, BlockPlan& plan) {
                     plan.next.active[kGroupSurfaceSpeed] != gcode::kSurfaceSpeed;
   plan.spindle_changed = plan.spindle_changed || left;  // the speed is the last one of G96
   if (const Word* t = c.word('T')) {
-    if (!planTool(c, plan, *t)) return false;
+    if (!(c.dialect.tool ? c.dialect.tool : planTool)(c, plan, *t)) return false;
     plan.tool_called = true;
     plan.flush = plan.flush || c.parameters.flag(ProgramParam::kBufferT);
     if (!c.parameters.flag(MachineParam::kToolChangeOnM6)) {
@@ -253,6 +253,7 @@ bool planNumbers(IsoContext& c, BlockPlan& plan) {
 }
 
 bool planOffsetsHD(IsoContext& c, BlockPlan& plan) {
+  if (c.dialect.rules.offsets_by_tool) return true;
   const auto rows = static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]);
   const OffsetTables& table = c.registers.offsets;
   const auto rowOf = [&](const Word& w, OffsetColumn column, int& row) {
@@ -326,7 +327,7 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
                                                 "G49 first",
                                                 gName(mode)));
   if (next.axes.smoothing == 3 && (code || (mode != gcode::kLengthOff && c.block.present.has('H')))) {
-    return c.alarm(SharedAlarm::kInSmoothing, code ? gName(code->code10) : "H");
+    return c.alarm(SharedAlarm::kInSmoothing, code ? gName(code->number10()) : "H");
   }
   if (code && mode == gcode::kLengthOff) {
     next.length = AxisPoint();
@@ -394,7 +395,9 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
     return true;
   }
   if (plan.next.compOn() && plan.next.d == 0 && !c.block.present.has('D') && c.state.d == 0) {
-    c.warn("no-d", "no D is programmed: cutter compensation runs with radius 0");
+    c.warn("no-d", c.dialect.rules.offsets_by_tool
+                       ? "T has named no offset: compensation runs with radius 0"
+                       : "no D is programmed: cutter compensation runs with radius 0");
   }
   const PlaneFrame frame(plan.next.plane());
   Vec3 vector = Vec3::Zero();
@@ -405,9 +408,9 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
     vector[axis] = lengthOf(plan, *w);
     given = given || axis != frame.w();
     if (axis == frame.w()) {
-      tellUnused(c, *w, gName(code->code10), "it stands across the plane");
+      tellUnused(c, *w, gName(code->number10()), "it stands across the plane");
     } else if (was_on == plan.next.compOn()) {
-      tellUnused(c, *w, gName(code->code10), "cutter compensation neither starts nor ends here");
+      tellUnused(c, *w, gName(code->number10()), "cutter compensation neither starts nor ends here");
     }
   }
   const Vec3 in_plane = frame.toPlane(vector);
@@ -420,8 +423,8 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
 
 /// The modal code that the axis words of a block without another one belong to.
 const GCode* modalGovernor(const IsoContext& c, const BlockPlan& plan) {
-  if (plan.next.inCycle()) return c.codes.g(plan.next.active[kGroupCycle]);
-  return c.codes.g(callsInRapid(plan) ? gcode::kRapid : plan.next.active[kGroupMotion]);
+  if (plan.next.inCycle()) return c.codes.inForce(plan.next.active[kGroupCycle]);
+  return c.codes.inForce(callsInRapid(plan) ? gcode::kRapid : plan.next.active[kGroupMotion]);
 }
 
 bool govern(IsoContext& c, BlockPlan& plan) {
@@ -434,7 +437,7 @@ bool govern(IsoContext& c, BlockPlan& plan) {
   const AddressSet words =
       plan.next.five.tip == TipControl::kVector ? code->words.without("IJK") : code->words;
   if (own_code && !(plan.claimed & words & c.block.present).empty()) {
-    return sharedWord(c, plan, words, gName(code->code10));
+    return sharedWord(c, plan, words, gName(code->number10()));
   }
   return code->plan(c, plan);
 }

@@ -76,10 +76,12 @@ bool planSetPosition(IsoContext& c, BlockPlan& plan) {
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
-    if (word.own_step) return c.alarm(SharedAlarm::kIncremental, w, "G92 words are absolute");
+    if (word.own_step && !c.dialect.rules.set_position_steps)
+      return c.alarm(SharedAlarm::kIncremental, w, "G92 words are absolute");
+    const double value = (word.own_step ? plan.start[word.axis] : 0.0) + axisValue(c, plan, word, w);
     change.shift52[word.axis] = 0.0;
-    change.shift92[word.axis] = work[word.axis] - axisValue(c, plan, word, w);
-    position[word.axis] = axisValue(c, plan, word, w);
+    change.shift92[word.axis] = work[word.axis] - value;
+    position[word.axis] = value;
   }
   const ProgramMap map = programMap(plan.next.transforms, c.axes);
   if (map.identity) return true;

@@ -10,6 +10,8 @@ std::string_view callKindName(CallKind kind) {
   switch (kind) {
     case CallKind::kMain:
       return "main program";
+    case CallKind::kLines:
+      return "blocks of the cycle";
     case CallKind::kSubprogram:
       return "M98";
     case CallKind::kMacro:

@@ -17,6 +17,7 @@ namespace proveout::nc {
 /// How a program came to run.
 enum class CallKind : std::uint8_t {
   kMain,
+  kLines,       ///< lines of the program itself, as a part of a block
   kSubprogram,  ///< M98, and codes that stand for it: no local level of its own
   kMacro,       ///< G65
   kModalMacro,  ///< G66, after each motion

@@ -28,8 +28,9 @@ CoverageRow rowOf(std::string name, int group, const Code& code, bool built) {
 std::vector<CoverageRow> coverageOf(const CodeIndex& codes) {
   std::vector<CoverageRow> rows;
   for (const GCode* g : codes.allG()) {
-    std::string name = fmt::format("G{}", g->code10 / 10);
-    if (g->code10 % 10 != 0) name += fmt::format(".{}", g->code10 % 10);
+    const int number = g->number10();
+    std::string name = fmt::format("G{}", number / 10);
+    if (number % 10 != 0) name += fmt::format(".{}", number % 10);
     rows.push_back(rowOf(std::move(name), g->group, *g, g->built));
   }
   for (const MCode* m : codes.allM()) rows.push_back(rowOf(fmt::format("M{}", m->code), -1, *m, true));

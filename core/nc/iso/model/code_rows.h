@@ -58,6 +58,11 @@ constexpr GCode action(int code10, std::int8_t group, CodeClass cls, AddressSet 
                        bool flushes, std::string_view ids, std::string_view meaning) {
   return {code10, group, cls, true, false, flushes, words, kindsOf(code10, group), plan, ids, meaning};
 }
+/// The row for programs that write another number, tenfold, for the code of the shared rules.
+constexpr GCode writtenAs(int number10, GCode code) {
+  code.written = number10;
+  return code;
+}
 /// A code of the control that this version refuses.
 constexpr GCode refused(int code10, std::int8_t group, CodeClass cls, std::string_view ids,
                         std::string_view meaning, bool skippable = false, AddressSet words = {}) {

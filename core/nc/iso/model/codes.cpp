@@ -29,24 +29,30 @@ CodeIndex::CodeIndex(std::vector<CodeTable> tables) : tables_(std::move(tables))
     for (const MCode& code : table.m) m_sorted_.push_back(&code);
     for (const FeatureRow& row : table.features) features_.push_back(&row);
   }
+  meanings_ = g_sorted_;
   std::sort(g_sorted_.begin(), g_sorted_.end(),
-            [](const GCode* a, const GCode* b) { return a->code10 < b->code10; });
+            [](const GCode* a, const GCode* b) { return a->number10() < b->number10(); });
+  std::stable_sort(meanings_.begin(), meanings_.end(),
+                   [](const GCode* a, const GCode* b) { return a->code10 < b->code10; });
   std::sort(m_sorted_.begin(), m_sorted_.end(),
             [](const MCode* a, const MCode* b) { return a->code < b->code; });
-  const auto same_g = [](const GCode* a, const GCode* b) { return a->code10 == b->code10; };
+  const auto same_g = [](const GCode* a, const GCode* b) { return a->number10() == b->number10(); };
   const auto same_m = [](const MCode* a, const MCode* b) { return a->code == b->code; };
   PROVEOUT_ASSERT(std::adjacent_find(g_sorted_.begin(), g_sorted_.end(), same_g) == g_sorted_.end());
   PROVEOUT_ASSERT(std::adjacent_find(m_sorted_.begin(), m_sorted_.end(), same_m) == m_sorted_.end());
   for (const GCode* code : g_sorted_) {
     PROVEOUT_ASSERT(code->group >= 0 && code->group < kGroupCount);
-    if (code->code10 < kDense) g_[static_cast<std::size_t>(code->code10)] = code;
+    if (code->number10() < kDense) g_[static_cast<std::size_t>(code->number10())] = code;
+  }
+  for (const GCode* code : meanings_) {
+    if (code->code10 < kDense) in_force_[static_cast<std::size_t>(code->code10)] = code;
   }
 }
 
-const GCode* CodeIndex::gBeyond(int code10) const {
-  const auto at = std::lower_bound(g_sorted_.begin(), g_sorted_.end(), code10,
-                                   [](const GCode* code, int wanted) { return code->code10 < wanted; });
-  return at != g_sorted_.end() && (*at)->code10 == code10 ? *at : nullptr;
+const GCode* CodeIndex::beyond(const std::vector<const GCode*>& sorted, int number10, NumberOf number) {
+  const auto at = std::lower_bound(sorted.begin(), sorted.end(), number10,
+                                   [&](const GCode* code, int wanted) { return (code->*number)() < wanted; });
+  return at != sorted.end() && ((*at)->*number)() == number10 ? *at : nullptr;
 }
 
 const MCode* CodeIndex::m(int code) const {

@@ -50,7 +50,7 @@ enum IsoGroup : std::int8_t {
 using PlanFunction = bool (*)(IsoContext&, BlockPlan&);
 
 struct GCode {
-  std::int32_t code10;  ///< G number times ten: 842 is G84.2
+  std::int32_t code10;  ///< G number times ten: 842 is G84.2; of the shared rules where `written` is another
   std::int8_t group;    ///< IsoGroup
   CodeClass cls;
   bool built;            ///< false: refused as not supported
@@ -61,6 +61,10 @@ struct GCode {
   PlanFunction plan;     ///< null: the code only sets its group
   std::string_view ids;  ///< coverage ids
   std::string_view meaning;
+  std::int32_t written = -1;  ///< number that programs write, tenfold; -1: that of the shared rules
+
+  constexpr std::int32_t number10() const { return written < 0 ? code10 : written; }
+  constexpr std::int32_t meaning10() const { return code10; }
 };
 
 /// Where in a block an M function acts (digest nct-2, 1.5).
@@ -95,14 +99,19 @@ struct CodeTable {
   std::span<const FeatureRow> features;
 };
 
-/// All chapters of a control, with look-up by number.
+/// All chapters of a control, with look-up by number: as programs write it, and as the shared rules do.
 class CodeIndex {
  public:
   explicit CodeIndex(std::vector<CodeTable> tables);
-  /// Null: no such code in this control.
-  const GCode* g(int code10) const {
-    if (code10 >= 0 && code10 < kDense) return g_[static_cast<std::size_t>(code10)];
-    return gBeyond(code10);
+  /// By the number in programs, tenfold. Null: no such code in this control.
+  const GCode* g(int number10) const {
+    if (number10 >= 0 && number10 < kDense) return g_[static_cast<std::size_t>(number10)];
+    return beyond(g_sorted_, number10, &GCode::number10);
+  }
+  /// By GCode::code10: the row of a code in force (IsoState::active). Null: no such code in this control.
+  const GCode* inForce(int code10) const {
+    if (code10 >= 0 && code10 < kDense) return in_force_[static_cast<std::size_t>(code10)];
+    return beyond(meanings_, code10, &GCode::meaning10);
   }
   const MCode* m(int code) const;
 
@@ -112,11 +121,12 @@ class CodeIndex {
 
  private:
   static constexpr int kDense = 1000;  ///< up to G99.9 a code is found by its number alone
-  const GCode* gBeyond(int code10) const;
+  using NumberOf = std::int32_t (GCode::*)() const;
+  static const GCode* beyond(const std::vector<const GCode*>& sorted, int number10, NumberOf number);
 
   std::vector<CodeTable> tables_;
-  std::array<const GCode*, kDense> g_{};
-  std::vector<const GCode*> g_sorted_;
+  std::array<const GCode*, kDense> g_{}, in_force_{};
+  std::vector<const GCode*> g_sorted_, meanings_;  ///< by number, by code10
   std::vector<const MCode*> m_sorted_;
   std::vector<const FeatureRow*> features_;
 };

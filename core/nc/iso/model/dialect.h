@@ -50,7 +50,11 @@ struct IncrementWords {
 /// Where controls of the family do the same statement differently. The defaults are those of nct; a member
 /// says what the others do.
 struct IsoRules {
-  bool last_of_group = false;  ///< of several codes of a group in a block the last holds; false: they clash
+  bool last_of_group = false;    ///< of several codes of a group in a block the last holds; false: they clash
+  bool offsets_by_tool = false;  ///< T names the offsets too: H and D name none, and what T changes is there
+                                 ///< before the block moves
+  bool set_position_steps = false;  ///< U, V, W of G92 add to the position; false: they are refused
+  bool directions_meet = false;     ///< lines by ,A meet in a corner without G41, G42 too
 };
 
 struct IsoDialect {
@@ -72,6 +76,10 @@ struct IsoDialect {
   bool (*plan)(IsoContext&, BlockPlan&) = nullptr;
   /// What stands otherwise in the state of power-on, which is nct's. Null: nothing.
   void (*power_on)(const IsoContext&, IsoState&) = nullptr;
+  /// Plans T. Null: planTool().
+  bool (*tool)(IsoContext&, BlockPlan&, const Word&) = nullptr;
+  /// The lines of a block that runs others (BlockPlan::lines) are done. Null: nothing is.
+  bool (*lines_done)(IsoContext&) = nullptr;
 };
 
 }  // namespace proveout::nc

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bitset>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <type_traits>
@@ -77,6 +78,11 @@ struct WordPatterns {
   const Entry* last = nullptr;  ///< of the block before; null: it had none
 };
 
+/// Lines of the program in hand, by index: from `first` to the one in front of `end`.
+struct LineRange {
+  std::size_t first = 0, end = 0;
+};
+
 struct BlockPlan {
   /// `state`: of the control before the block.
   explicit BlockPlan(const IsoState& state) : next(state) {}
@@ -99,10 +105,12 @@ struct BlockPlan {
   std::array<const MFunction*, 8> m{};               ///< rows of the M index
   std::array<int, 8> m_value{};
   int m_count = 0;
-  const MCode* flow = nullptr;  ///< M98, M99, M2, M30
-  int wait_code = 0;            ///< waiting code of the block; 0: none
-  ChannelSet wait_whom;         ///< with it: the channels that meet
-  std::bitset<3> auxiliary;     ///< auxiliary functions of the block (N1333 to N1335)
+  std::optional<LineRange> lines;    ///< run behind the deed as a part of the block
+  std::optional<std::size_t> go_on;  ///< index of the line of its program that follows; none: the next one
+  const MCode* flow = nullptr;       ///< M98, M99, M2, M30
+  int wait_code = 0;                 ///< waiting code of the block; 0: none
+  ChannelSet wait_whom;              ///< with it: the channels that meet
+  std::bitset<3> auxiliary;          ///< auxiliary functions of the block (N1333 to N1335)
   bool spindle_changed = false;
   /// What S or a spindle's position means in this block.
   struct Spindle {

@@ -97,7 +97,7 @@ bool planLineContour(IsoContext& c, BlockPlan& plan) {
   if (a == nullptr || words.has_u != words.has_v) {
     return refuseChoice(c, plan) && planDirection(c, plan) && planJoin(c, plan);
   }
-  if (!inComp(c, plan)) {
+  if (!inComp(c, plan) && !c.dialect.rules.directions_meet) {
     return c.alarm(SharedAlarm::kIllegalAddress, *a,
                    "the calculation of intersections needs G41 or G42 (with D0: no offset)");
   }

@@ -142,7 +142,7 @@ bool checkVirtual(IsoContext& c, const BlockPlan& plan) {
   for (const GCode* code : plan.by_group) {
     if (code == nullptr || !forbidden(*code, mode)) continue;
     return c.fail("virtual-forbidden",
-                  fmt::format("{} is not allowed during {}", gName(code->code10), modeName(mode)));
+                  fmt::format("{} is not allowed during {}", gName(code->number10()), modeName(mode)));
   }
   if (mode == VirtualMode::kPolar && plan.by_group[kGroupCycle] && plan.next.inCycle()) {
     c.warn("virtual-cycle", "a drilling cycle during G12.1: the manual does not say what it does");

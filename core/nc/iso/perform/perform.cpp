@@ -21,12 +21,25 @@ namespace {
 
 bool switchCompInPlace(IsoContext& c, BlockPlan& plan);
 
+/// The tool that T names is there before the block moves. Where the machine went elsewhere for it, axes
+/// without a word stay there.
+bool changeToolFirst(IsoContext& c, BlockPlan& plan) {
+  if (!sendToolChange(c, plan.next.next_tool, plan.next.next_row)) return false;
+  const AxisPoint at = plan.chain->programOf(c.machine);
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
+    if (!plan.motion.named[static_cast<std::size_t>(axis)]) plan.motion.target[axis] = at[axis];
+  }
+  plan.start = at;
+  return true;
+}
+
 }  // namespace
 
 bool perform(IsoContext& c, BlockPlan& plan) {
   recordWords(c, plan);
   if (plan.flush && !c.pipe.flush(FlushReason::kBuffer)) return false;
   if (!plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
+  if (plan.tool_change && c.dialect.rules.offsets_by_tool && !changeToolFirst(c, plan)) return false;
   if (plan.transforms_changed) {
     if (!c.pipe.flush(FlushReason::kTransform)) return false;
     c.map = programMap(plan.next.transforms, c.axes);
@@ -150,6 +163,7 @@ void fillMotion(IsoContext& c, const BlockPlan& plan, PathItem& item) {
 void fillContour(IsoContext& c, const BlockPlan& plan, PathItem& item) {
   const PlannedMotion& motion = plan.motion;
   item.start = item.plane.of(c.position).head<2>();
+  if (motion.meet == PathItem::Meet::kOpen) c.pipe.link(c.stages.crossing);
   item.join = motion.join;
   item.join_size = motion.join_size;
   item.meet = motion.meet;
@@ -203,7 +217,8 @@ bool performMove(IsoContext& c, BlockPlan& plan) {
     item.start = motion.arc.start.head<2>();
     item.sweep = motion.arc.sweep_rad;
   }
-  const bool contour = item.comp_on || motion.join != PathItem::Join::kSharp;
+  const bool contour =
+      item.comp_on || motion.join != PathItem::Join::kSharp || motion.meet != PathItem::Meet::kNo;
   if (contour || c.stages.corner.linked()) {
     fillContour(c, plan, item);
     item.record = c.alarms.remember();

@@ -125,7 +125,7 @@ bool IsoControl::opened() {
   } else if (opensLocals(frame.kind)) {  // a macro with its arguments anew
     c.variables.enter(frame.args);
   }
-  tape_.skipLeader(c, frame);
+  if (frame.kind != CallKind::kLines) tape_.skipLeader(c, frame);
   return true;
 }
 
@@ -201,6 +201,8 @@ Go IsoControl::carryOut() {
 
 Go IsoControl::endOfText() {
   IsoContext& c = context_;
+  if (c.calls.top().kind == CallKind::kLines)
+    return c.dialect.lines_done == nullptr || c.dialect.lines_done(c) ? Go::kReturn : alarm();
   const SourceText& text = *c.calls.top().text;
   if (lexer_.inComment()) {
     lexer_.setInComment(false);
@@ -226,6 +228,16 @@ Go IsoControl::commentLeftOpen(const std::optional<OpenComment>& open) {
   return stopAtAlarm();
 }
 
+/// Lines of the program in hand run as a part of the block.
+Go IsoControl::openLines(const LineRange& lines) {
+  CallFrame frame;
+  frame.setProgram(*context_.calls.top().text, context_.calls.top().file);
+  frame.kind = CallKind::kLines;
+  frame.first = lines.first;
+  frame.end = lines.end;
+  return open(frame);
+}
+
 Go IsoControl::execute() {
   IsoContext& c = context_;
   const bool taken = subprograms_.take(c) && takeInterruptWords();
@@ -234,6 +246,8 @@ Go IsoControl::execute() {
   if (summary_.end == ProgramEnd::kCancelled || summary_.end == ProgramEnd::kBlockLimit) return Go::kStop;
   if (!good) return alarm();
   run_.blockDone();  // a called subprogram still runs
+  if (plan.go_on) c.calls.top().next = *plan.go_on;
+  if (plan.lines) return openLines(*plan.lines);
   deferCalls(plan);
   if (plan.wait_code != 0) {
     if (!performWait(c, plan)) return alarm();

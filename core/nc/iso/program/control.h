@@ -69,6 +69,7 @@ class IsoControl final : private FlowControl<CallFrame> {
   bool loadMain();
   Go commentLeftOpen(const std::optional<OpenComment>& open);
   Go execute();
+  Go openLines(const LineRange& lines);
 
   // program/flow.cpp
   Go flow(const BlockPlan& plan);
