@@ -116,6 +116,7 @@ target_sources(proveout_core PRIVATE
   nc/nct/coverage/rows_5.cpp
   nc/nct/coverage/rows_6.cpp
   nc/iso/cycles/cycles.cpp
+  nc/iso/cycles/path_steps.cpp
   nc/iso/cycles/pocket.cpp
   nc/iso/cycles/taps.cpp
   nc/iso/frames/frames.cpp

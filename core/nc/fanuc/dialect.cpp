@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/nc/fanuc/alarms.h"
+#include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/tables/tables.h"
@@ -24,6 +25,8 @@ constexpr std::array<IncrementWords, 1> kIncrements{{{"XYZUVWABCIJKRQ", 0.001, 0
 IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increments) {
   IsoRules rules;
   rules.last_of_group = true;
+  rules.keeps_return_level = true;
+  rules.motion_or_cycle = true;
   return {
       .name = name,
       .alarms = fanucAlarms(),
@@ -35,6 +38,7 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increme
           increments ? std::span<const IncrementWords>(kIncrements) : std::span<const IncrementWords>(),
       .layout = ProgramLayout::kSeveralInAFile,
       .rules = rules,
+      .check_block = followRigidTap,
       .system_variables = allBanks,
   };
 }

@@ -9,6 +9,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/coverage/rows_lathe.cpp
   nc/fanuc/coverage/rows_macro.cpp
   nc/fanuc/coverage/rows_text.cpp
+  nc/fanuc/cycles/fanuc_cycles.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp

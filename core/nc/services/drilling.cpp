@@ -12,15 +12,24 @@ namespace drilling_detail {
 constexpr double kDepthTolerance = 1e-9;
 
 DrillError check(const DrillCycle& c) {
-  for (const double x :
-       {c.initial, c.r, c.bottom, c.peck, c.clearance, c.dwell, c.shift.x(), c.shift.y(), c.retract_factor}) {
+  for (const double x : {c.initial, c.r, c.bottom, c.peck, c.clearance, c.dwell, c.shift.x(), c.shift.y(),
+                         c.retract_factor, c.peck_less, c.peck_least, c.to_r_every}) {
     if (!std::isfinite(x)) return DrillError::kNotFinite;
   }
-  if (c.peck < 0.0 || c.clearance < 0.0) return DrillError::kBadPeck;
+  if (c.peck < 0.0 || c.clearance < 0.0 || c.peck_less < 0.0 || c.peck_least < 0.0 || c.to_r_every < 0.0)
+    return DrillError::kBadPeck;
   if (!(c.retract_factor > 0.0)) return DrillError::kBadRetract;
   // Three steps a peck, and a dozen around them.
   const bool pecks = c.peck > 0.0;
-  if (pecks && 3.0 * std::abs(c.bottom - c.r) / c.peck + 12.0 > static_cast<double>(kMaxDrillSteps)) {
+  const double shortest = c.peck_less > 0.0 ? std::min(c.peck, c.peck_least) : c.peck;
+  if (pecks && !(shortest > 0.0)) {
+    // Without a shortest peck they must reach the bottom before they are used up.
+    const double most = 0.5 * c.peck * (c.peck / c.peck_less + 1.0);
+    if (most < std::abs(c.bottom - c.r)) return DrillError::kBadPeck;
+    if (c.peck / c.peck_less > static_cast<double>(kMaxDrillSteps) / 3.0 - 12.0)
+      return DrillError::kTooManySteps;
+  } else if (pecks &&
+             3.0 * std::abs(c.bottom - c.r) / shortest + 12.0 > static_cast<double>(kMaxDrillSteps)) {
     return DrillError::kTooManySteps;
   }
   return DrillError::kNone;
@@ -93,7 +102,14 @@ class Expander {
 template <typename Visit>
 void forEachPeck(const DrillCycle& c, Visit visit) {
   const double direction = c.bottom < c.r ? -1.0 : 1.0;
-  if (c.peck > 0.0) {
+  if (c.peck > 0.0 && c.peck_less > 0.0) {
+    double peck = c.peck, depth = c.r;
+    for (;; peck = std::max(peck - c.peck_less, c.peck_least)) {
+      depth += direction * peck;
+      if (direction * (c.bottom - depth) <= kDepthTolerance || !(peck > 0.0)) break;
+      visit(depth);
+    }
+  } else if (c.peck > 0.0) {
     for (std::int64_t n = 1;; ++n) {
       const double depth = c.r + direction * c.peck * static_cast<double>(n);
       if (direction * (c.bottom - depth) <= kDepthTolerance) break;
@@ -108,9 +124,13 @@ void Expander::peckDown() {
   const bool to_r = c_.code == DrillCode::kPeck;
   double last = c_.r;
   bool first = true;
+  double out_at = c_.to_r_every;  // depth below R from which the next way out goes to R
   forEachPeck(c_, [&](double depth) {
     if (!first) {
-      if (to_r) rapid(c_.r, 5);
+      const double cut = std::abs(last - c_.r) + kDepthTolerance;
+      const bool far_out = c_.to_r_every > 0.0 && cut >= out_at;
+      if (far_out) out_at = (std::floor(cut / c_.to_r_every) + 1.0) * c_.to_r_every;
+      if (to_r || far_out) rapid(c_.r, 5);
       // The approach never goes back above R.
       const double approach = last + back * c_.clearance;
       rapid(to_r && back * (approach - c_.r) > 0.0 ? c_.r : approach, 5);
@@ -119,6 +139,7 @@ void Expander::peckDown() {
     last = depth;
     first = false;
   });
+  if (c_.dwell_of_pecks) dwell();
 }
 
 void Expander::tap(DrillStepKind at_bottom, DrillStepKind after) {
@@ -131,6 +152,7 @@ void Expander::tap(DrillStepKind at_bottom, DrillStepKind after) {
   dwell();
   add(at_bottom, 6);
   lockedFeed(c_.r, 7);
+  if (c_.dwell_at_r) dwell();
   add(after, 8);
   leaveFromR();
 }
@@ -160,6 +182,7 @@ void Expander::rigidTap() {
   });
   dwell();
   rigidTapFeed(c_.r, 7, c_.retract_factor);
+  if (c_.dwell_at_r) dwell();
   leaveFromR();
 }
 
@@ -188,6 +211,7 @@ void Expander::backBore() {
   shift(-c_.shift, 4);
   add(DrillStepKind::kSpindleForward, 4);
   feed(c_.bottom, 5);
+  if (c_.dwell_of_back) dwell();
   add(DrillStepKind::kSpindleOrient, 6);
   shift(c_.shift, 6);
   rapid(c_.initial, 9);
@@ -200,6 +224,7 @@ void Expander::stopAndLeave(bool manual) {
   if (c_.code == DrillCode::kBoreManual) dwell();
   add(DrillStepKind::kSpindleStop, 6);
   if (manual) add(DrillStepKind::kProgramStop, 6);
+  if (manual && c_.stops_at_r && !c_.return_to_r) rapid(c_.r, 7);
   leave([this](int operation) { add(DrillStepKind::kSpindleForward, operation); });
 }
 

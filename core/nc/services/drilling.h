@@ -43,6 +43,14 @@ struct DrillCycle {
   double retract_factor = 1.0;     ///< feed out / feed in of kBoreFeedOut, kBoreDwellFeedOut and rigid taps
   double tap_return_factor = 1.0;  ///< feed to R and back between the pecks of rigid taps / feed in
   bool orient_before_rigid_tap = false;  ///< oriented stop before a rigid tap rather than closing the loop
+  // What other controls than nct do besides.
+  double peck_less = 0.0;  ///< kChipBreak, kPeck: every peck is so much shorter than the one before, mm, >= 0
+  double peck_least = 0.0;      ///< with it: no peck is shorter, mm
+  double to_r_every = 0.0;      ///< kChipBreak: out to R each time so much depth is cut, mm; 0: never
+  bool dwell_of_pecks = false;  ///< kChipBreak, kPeck: the dwell stands at the bottom
+  bool dwell_of_back = false;   ///< kBackBore: the dwell stands at its bottom
+  bool dwell_at_r = false;      ///< taps: the dwell stands at R again
+  bool stops_at_r = false;      ///< kBoreManual: out to R first, then to the initial point
 };
 
 enum class DrillStepKind {

@@ -21,7 +21,17 @@ const ParameterTable& fanucParameters() {
         .add(CycleParam::kChipBreakReturn,
              number("g73_retract", 5114, kChannel, 0.5, 0, 1e3, "rise between the pecks of G73, mm"))
         .add(CycleParam::kPeckClearance, number("g83_clearance", 5115, kChannel, 0.5, 0, 1e3,
-                                                "rapid ends so far above the last depth, mm"));
+                                                "rapid ends so far above the last depth, mm"))
+        .add(FanucParam::kRigidAlways,
+             choice("g84_rigid", 5200, 0, "M29 always", "whether G84 and G74 are rigid behind M29 only"))
+        .add(FanucParam::kRigidPeck,
+             choice("rigid_peck", 5200, 0, "fast full", "pecks of rigid taps: a little back, or out to R"))
+        .add(CycleParam::kRigidChipBreakReturn, number("rigid_retract", 5213, kChannel, 0.5, 0, 1e3,
+                                                       "way back between the pecks of rigid taps, mm"))
+        .add(FanucParam::kBoreShift,
+             choice("g76_shift", 5101, 0, "+X -X +Y -Y", "direction of Q of G76 and G87, as in G17"))
+        .add(FanucParam::kLocalShift, choice("setting_33", kNoNumber, 0, "fanuc yasnac",
+                                             "Haas: G52 shifts every work system, or is one of its own"));
     return table;
   }();
   return kTable;

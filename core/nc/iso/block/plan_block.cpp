@@ -43,6 +43,19 @@ bool collectG(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// Of a motion code and a cycle in one block the later one holds; the motion code then counts from where the
+/// cycle ends.
+void dropMotionOrCycle(BlockPlan& plan, const GCode& later) {
+  const GCode*& motion = plan.by_group[kGroupMotion];
+  const GCode*& cycle = plan.by_group[kGroupCycle];
+  if (later.code10 == gcode::kCycleCancel) return;
+  if (later.group == kGroupMotion && cycle != nullptr && cycle->code10 != gcode::kCycleCancel)
+    cycle = nullptr;
+  if (later.group != kGroupCycle || motion == nullptr) return;
+  plan.next.active[kGroupMotion] = motion->code10;
+  motion = nullptr;
+}
+
 bool acceptG(IsoContext& c, BlockPlan& plan, const Word& w) {
   const int code10 = code10Of(w);
   const GCode* code = code10 < 0 ? nullptr : c.codes.g(code10);
@@ -69,6 +82,7 @@ bool acceptG(IsoContext& c, BlockPlan& plan, const Word& w) {
                           : fmt::format("{} and {} are of one group", gName(slot->number10()), gName(code10));
     return c.failWord("group-clash", same, w);
   }
+  if (c.dialect.rules.motion_or_cycle) dropMotionOrCycle(plan, *code);
   slot = code;
   plan.any_group = true;
   plan.code_kinds.add(code->kinds);
@@ -125,7 +139,7 @@ bool takeOwnM(IsoContext& c, BlockPlan& plan, const MCode& code) {
   const bool change = code.code == mcode::kToolChange;
   plan.flush = plan.flush || code.phase == MPhase::kStop || code.phase == MPhase::kEnd || change;
   plan.tool_change = plan.tool_change || change;
-  return true;
+  return code.plan == nullptr || code.plan(c, plan);
 }
 
 bool takeM(IsoContext& c, BlockPlan& plan, const Word& w) {
@@ -193,8 +207,8 @@ bool planModal(IsoContext& c, BlockPlan& plan) {
   // A group-1 code ends the cycle mode; ending it restores G98 (manual 18.1.4).
   if (motion) next.active[kGroupCycle] = gcode::kCycleCancel;
   if (!next.inCycle()) {
-    if (c.state.inCycle() && plan.by_group[kGroupReturn] == nullptr)
-      next.active[kGroupReturn] = gcode::kReturnToInitial;
+    const bool ends = c.state.inCycle() && !c.dialect.rules.keeps_return_level;
+    if (ends && plan.by_group[kGroupReturn] == nullptr) next.active[kGroupReturn] = gcode::kReturnToInitial;
     next.cycle = CycleWords{};
   }
   return true;
@@ -310,6 +324,9 @@ bool planWorkSystem(IsoContext& c, BlockPlan& plan) {
     if (!integerWord(c, *p, 1, 99, number)) return false;
     plan.next.work_system = kFirstExtended + static_cast<int>(number) - 1;
     plan.next.last.extended_system = static_cast<int>(number);
+  } else if (int id = 0; c.dialect.work_system != nullptr) {
+    if (!c.dialect.work_system(c, plan, *code, id)) return false;
+    plan.next.work_system = id > 0 ? id : (code->code10 - gcode::kWorkSystem1) / 10 + 1;
   } else {
     plan.next.work_system = (code->code10 - gcode::kWorkSystem1) / 10 + 1;
   }
@@ -376,7 +393,7 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
   if (was_on && !(plan.next.workPlane() == c.state.workPlane())) {
     return c.fail("plane-in-comp", "the plane cannot change while cutter compensation (G41, G42) is on");
   }
-  if (plan.next.compOn() && plan.next.inCycle()) {
+  if (plan.next.compOn() && plan.next.inCycle() && !c.dialect.rules.cycles_in_compensation) {
     return c.fail("cycle-in-comp",
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }
@@ -475,7 +492,8 @@ bool planBlock(IsoContext& c, BlockPlan& plan) {
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
          planOffsetsHD(c, plan) && planTiltState(c, plan) && planWorkSystem(c, plan) &&
          planTransformsOff(c, plan) && planLength(c, plan) && planComp(c, plan) && govern(c, plan) &&
-         followZero(c, plan) && checkAxisModes(c, plan) && checkWords(c, plan);
+         followZero(c, plan) && checkAxisModes(c, plan) && checkWords(c, plan) &&
+         (c.dialect.check_block == nullptr || c.dialect.check_block(c, plan));
 }
 
 }  // namespace proveout::nc

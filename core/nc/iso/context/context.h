@@ -27,6 +27,7 @@
 #include "core/nc/iso/model/modal_calls.h"
 #include "core/nc/iso/model/offset_tables.h"
 #include "core/nc/iso/model/output_file.h"
+#include "core/nc/iso/model/path_step.h"
 #include "core/nc/iso/model/plan.h"
 #include "core/nc/iso/model/program_store.h"
 #include "core/nc/iso/model/run_clock.h"
@@ -189,8 +190,11 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   AxisPoint machine;      ///< programmed point in machine coordinates, without cutter compensation
   MotionPipe pipe;        ///< everything that becomes path goes through it
   IsoStages stages;
+  // What blocks that stand for many motions have planned.
   std::vector<DrillStep> drill_steps;
-  DataInput data_input = nullptr;  ///< set: blocks are data until G11
+  std::vector<Vec2> hole_points;     ///< in the plane, program coordinates (Holes::listed)
+  std::vector<PathStep> path_steps;  ///< see performSteps()
+  DataInput data_input = nullptr;    ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs
   const SourceText* last_called = nullptr;      ///< the program that was called last; null: none yet

@@ -8,6 +8,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/cycles/cycle_rules.h"
 #include "core/nc/iso/cycles/taps.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
@@ -46,9 +47,15 @@ DrillCode drillCode(int code10) {
   return DrillCode::kDrill;
 }
 
-/// What the cycle in force taps.
-Tap tapOf(const BlockPlan& plan) {
-  switch (drillCode(plan.next.active[kGroupCycle])) {
+constexpr CycleRules kNctCycleRules;
+
+DrillCode drillCodeBy(const CycleRules& rules, const IsoContext& c, const BlockPlan& plan) {
+  return rules.code != nullptr ? rules.code(c, plan) : drillCode(plan.next.active[kGroupCycle]);
+}
+
+/// What a cycle taps.
+Tap tapOf(DrillCode code) {
+  switch (code) {
     case DrillCode::kTap:
       return {.hand = 1};
     case DrillCode::kTapLeft:
@@ -64,11 +71,15 @@ Tap tapOf(const BlockPlan& plan) {
 
 bool isRigid(DrillCode code) { return code == DrillCode::kRigidTap || code == DrillCode::kRigidTapLeft; }
 
-bool planCycleWords(IsoContext& c, BlockPlan& plan);
+/// How the holes of a block come about.
+enum class HolesFrom : std::uint8_t { kWords, kPoints };
+
+bool planHoles(IsoContext& c, BlockPlan& plan, const CycleRules& rules, HolesFrom from);
+bool planCycleWords(IsoContext& c, BlockPlan& plan, const CycleRules& rules);
 AddressSet wordsOf(const IsoContext& c, const BlockPlan& plan, DrillCode code);
-bool planCycleVectors(IsoContext& c, BlockPlan& plan, DrillCode code);
+bool planCycleVectors(IsoContext& c, BlockPlan& plan, DrillCode code, const CycleRules& rules);
 bool checkCycle(IsoContext& c, const BlockPlan& plan, DrillCode code);
-bool expandCycle(IsoContext& c, BlockPlan& plan);
+bool expandCycle(IsoContext& c, BlockPlan& plan, const CycleRules& rules);
 bool performCycle(IsoContext& c, BlockPlan& plan);
 bool cycleHole(IsoContext& c, BlockPlan& plan, const AxisPoint& hole, bool first);
 bool cycleStep(IsoContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at);
@@ -148,14 +159,43 @@ void directedHoles(const BlockPlan& plan, Holes& holes) {
 
 }  // namespace
 
-bool planCycle(IsoContext& c, BlockPlan& plan) {
+bool planCycle(IsoContext& c, BlockPlan& plan) { return planCycleBy(c, plan, kNctCycleRules); }
+
+bool planCycleBy(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
+  return planHoles(c, plan, rules, HolesFrom::kWords);
+}
+
+bool planCycleAtPoints(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
+  return planHoles(c, plan, rules, HolesFrom::kPoints);
+}
+
+namespace {
+
+/// The levels that the cycle needs. False: reported.
+bool haveLevels(IsoContext& c, CycleWords& words, const CycleRules& rules) {
+  if (!words.bottom && rules.no_bottom != nullptr) {
+    return c.fail(rules.no_bottom, "the cycle has no bottom: program the word of its drilling axis (Z)");
+  }
+  if (words.bottom && !words.r && rules.no_level != CycleRules::NoLevel::kAlarm) {
+    words.r = words.initial;
+    words.r_incremental = false;
+    if (rules.no_level == CycleRules::NoLevel::kTold) {
+      c.warn("cycle-no-r", "the cycle has no level R: the level where the tool stands is taken", {},
+             Severity::kNote);
+    }
+  }
+  return (words.bottom && words.r) || c.alarm(SharedAlarm::kNoBottom, "", "the cycle needs both");
+}
+
+bool planHoles(IsoContext& c, BlockPlan& plan, const CycleRules& rules, HolesFrom from) {
   CycleWords& words = plan.next.cycle;
   int drill = 2;
   if (!checkCoding(c, plan) || !chooseDrillAxis(c, plan, drill)) return false;
   const bool entry = !c.state.inCycle() || words.drill_axis != drill;
   if (!axisTarget(c, plan, plan.motion.target) || !planDirection(c, plan)) return false;
   if (entry) {
-    if (c.state.inCycle() && !c.block.present.has('R')) {
+    const bool needs_r = rules.no_level == CycleRules::NoLevel::kAlarm;
+    if (needs_r && c.state.inCycle() && !c.block.present.has('R')) {
       return c.alarm(SharedAlarm::kNoBottom, "", "a new drill axis needs R");
     }
     words.bottom.reset();
@@ -163,11 +203,13 @@ bool planCycle(IsoContext& c, BlockPlan& plan) {
     words.initial = plan.start[drill];
     words.drill_axis = drill;
   }
-  if (!c.anyAxisWord()) {
+  const bool by_level = rules.r_names_hole && c.ownWord(plan, 'R') != nullptr;
+  if (!c.anyAxisWord() && !by_level && from == HolesFrom::kWords) {
     plan.motion.target = plan.start;  // F, S, M alone: nothing is drilled, cycle words are not kept
     return true;
   }
   Holes& holes = plan.payload.emplace<Holes>();
+  holes.listed = from == HolesFrom::kPoints;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
@@ -185,38 +227,46 @@ bool planCycle(IsoContext& c, BlockPlan& plan) {
     words.r = lengthOf(plan, *r);
     words.r_incremental = r->incremental || plan.next.incremental();
   }
-  if (!words.bottom || !words.r) return c.alarm(SharedAlarm::kNoBottom, "", "the cycle needs both");
-  return planCycleWords(c, plan);
+  return haveLevels(c, words, rules) && planCycleWords(c, plan, rules);
 }
 
-namespace {
-
-bool planCycleWords(IsoContext& c, BlockPlan& plan) {
+bool planCycleWords(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
   CycleWords& words = plan.next.cycle;
   Holes& holes = std::get<Holes>(plan.payload);
-  const int code10 = plan.next.active[kGroupCycle];
-  const DrillCode code = drillCode(code10);
+  const DrillCode code = drillCodeBy(rules, c, plan);
+  holes.code = code;
   const auto positive = [&](const Word& w, double& out, double scale) {
     if (w.value < 0.0)
       return c.alarm(SharedAlarm::kOutOfRange, addressText(w.address), "must not be negative", w.columns);
     out = w.value * scale;
     return true;
   };
-  if (const Word* q = c.ownWord(plan, 'Q'); q && !positive(*q, words.peck, plan.next.unitScale()))
-    return false;
+  if (const Word* q = c.ownWord(plan, 'Q')) {
+    if (rules.signed_peck) {
+      words.peck = lengthOf(plan, *q);
+    } else if (!positive(*q, words.peck, plan.next.unitScale())) {
+      return false;
+    }
+  }
   if (const Word* e = c.ownWord(plan, 'E')) {
     double value = 0.0;
     if (!positive(*e, value, plan.next.unitScale())) return false;
     words.clearance = value;
   }
-  if (const Word* p = c.ownWord(plan, 'P'); p && !positive(*p, words.dwell, 1.0)) return false;
-  if (const Word* l = c.ownWord(plan, 'L'); l && !integerWord(c, *l, 0, 99999999, holes.repeat)) return false;
-  if (!planCycleVectors(c, plan, code) || !checkCycle(c, plan, code)) return false;
-  c.asked = wordsOf(c, plan, code);
+  if (const Word* p = c.ownWord(plan, 'P')) {
+    if (!positive(*p, words.dwell, 1.0) || (rules.dwell && !rules.dwell(c, *p, words.dwell))) return false;
+  }
+  for (const Word& w : c.block.words) {
+    if (!rules.repeats.has(w.address) || plan.claimed.has(w.address)) continue;
+    if (!integerWord(c, w, 0, 99999999, holes.repeat)) return false;
+  }
+  if (!planCycleVectors(c, plan, code, rules)) return false;
+  if (!(rules.check != nullptr ? rules.check(c, plan, code) : checkCycle(c, plan, code))) return false;
+  c.asked = wordsOf(c, plan, code) | rules.repeats | rules.more_words;
   if (holes.repeat == 0) return true;
   plan.perform = performCycle;
-  plan.runs_functions = true;
-  return feedStyle(c, plan, plan.motion.feed) && expandCycle(c, plan);
+  plan.runs_functions = !rules.functions_first;
+  return feedStyle(c, plan, plan.motion.feed) && expandCycle(c, plan, rules);
 }
 
 /// The words that a cycle reads: 18.1.1 to 18.1.15. The others wait for another cycle of the same mode.
@@ -227,7 +277,7 @@ AddressSet wordsOf(const IsoContext& c, const BlockPlan& plan, DrillCode code) {
   if (pecks && plan.next.cycle.peck > 0.0) words.add('E');
   const bool feeds_out = code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut;
   if (feeds_out || (isRigid(code) && c.parameters.flag(CycleParam::kTapExtraction))) words.add('I');
-  const bool dwells = tapOf(plan).hand != 0 || code == DrillCode::kDrillDwell ||
+  const bool dwells = tapOf(code).hand != 0 || code == DrillCode::kDrillDwell ||
                       code == DrillCode::kFineBore || code == DrillCode::kBoreManual ||
                       code == DrillCode::kBoreDwellFeedOut;
   if (dwells) words.add('P');
@@ -240,12 +290,12 @@ AddressSet wordsOf(const IsoContext& c, const BlockPlan& plan, DrillCode code) {
   return words;
 }
 
-bool planCycleVectors(IsoContext& c, BlockPlan& plan, DrillCode code) {
+bool planCycleVectors(IsoContext& c, BlockPlan& plan, DrillCode code, const CycleRules& rules) {
   CycleWords& words = plan.next.cycle;
-  const bool percent =
-      code == DrillCode::kBoreFeedOut || code == DrillCode::kBoreDwellFeedOut || isRigid(code);
+  const bool percent = rules.percent_by_i && (code == DrillCode::kBoreFeedOut ||
+                                              code == DrillCode::kBoreDwellFeedOut || isRigid(code));
   for (int axis = 0; axis < 3; ++axis) {
-    const Word* w = c.ownWord(plan, "IJK"[axis]);
+    const Word* w = rules.repeats.has("IJK"[axis]) ? nullptr : c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
     if (percent && axis == 0) {
       if (w->value <= 0.0) return c.alarm(SharedAlarm::kOutOfRange, *w, "a percentage above 0");
@@ -279,7 +329,7 @@ bool checkCycle(IsoContext& c, const BlockPlan& plan, DrillCode code) {
   return true;
 }
 
-bool expandCycle(IsoContext& c, BlockPlan& plan) {
+bool expandCycle(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
   const CycleWords& words = plan.next.cycle;
   Holes& holes = std::get<Holes>(plan.payload);
   const auto height = [&](double value) {
@@ -289,7 +339,7 @@ bool expandCycle(IsoContext& c, BlockPlan& plan) {
     return p[words.drill_axis];
   };
   DrillCycle cycle;
-  cycle.code = drillCode(plan.next.active[kGroupCycle]);
+  cycle.code = holes.code;
   if (cycle.code == DrillCode::kBackBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     cycle.code = DrillCode::kBackBoreManual;
   }
@@ -321,6 +371,7 @@ bool expandCycle(IsoContext& c, BlockPlan& plan) {
     cycle.tap_return_factor = c.parameters[CycleParam::kTapReturn] / 100.0;
   }
   cycle.orient_before_rigid_tap = c.parameters.flag(CycleParam::kTapOrient);
+  if (rules.finish != nullptr && !rules.finish(c, plan, cycle)) return false;
   switch (expandDrillCycle(cycle, c.drill_steps)) {
     case DrillError::kNone:
       return true;
@@ -355,9 +406,23 @@ void polarHole(BlockPlan& plan, const AxisPoint& last, bool first, AxisPoint& ho
   polar.radius = std::hypot(polar.u, polar.v);
 }
 
+/// The holes that the plan has listed.
+bool performPoints(IsoContext& c, BlockPlan& plan) {
+  const WorkPlane plane = planeOf(plan.next);
+  AxisPoint hole = c.position;
+  for (std::size_t k = 0; k < c.hole_points.size(); ++k) {
+    hole[plane.u] = c.hole_points[k].x();
+    hole[plane.v] = c.hole_points[k].y();
+    if (k > 0 && c.watch.workOver(c.calls.place())) return false;
+    if (!cycleHole(c, plan, hole, k == 0)) return false;
+  }
+  return true;
+}
+
 bool performCycle(IsoContext& c, BlockPlan& plan) {
   AxisPoint hole = c.position;
   const Holes& holes = std::get<Holes>(plan.payload);
+  if (holes.listed) return performPoints(c, plan);
   for (std::int64_t k = 0; k < holes.repeat; ++k) {
     const AxisPoint last = hole;
     for (int axis = 0; axis < c.axes.count(); ++axis) {
@@ -394,8 +459,8 @@ bool cycleHole(IsoContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
   c.position[drill] = height;
   AxisPoint at = c.chain.workOf(c.position);
   if (!cycleMove(c, at)) return false;
-  if (first && !performFunctions(c, plan, MPhase::kBefore)) return false;
-  if (first) checkTapStart(c, plan, tapOf(plan));
+  if (first && plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
+  if (first) checkTapStart(c, plan, tapOf(holes.code));
   for (const DrillStep& step : c.drill_steps) {
     if (!cycleStep(c, plan, step, at)) return false;
   }
@@ -435,7 +500,7 @@ bool cycleStep(IsoContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     FeedStyle style = plan.motion.feed;
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
-    if (step.thread) takeTapSpindle(c, plan, tapOf(plan), inwards, step.operation == 7, style);
+    if (step.thread) takeTapSpindle(c, plan, tapOf(holes.code), inwards, step.operation == 7, style);
     return cycleMove(c, at, &style);
   }
   return cycleFunction(c, plan, step);

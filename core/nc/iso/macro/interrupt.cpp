@@ -19,7 +19,7 @@ bool IsoControl::takeInterruptWords() {
   c.m_index.update(c.parameters);
   const bool off = !c.parameters.flag(MacroParam::kInterrupts);
   for (const Word& w : c.block.words) {
-    if (w.address != 'M') continue;
+    if (w.address != 'M' || w.value == c.dialect.rules.local_call) continue;
     if (off && (w.value == mcode::kInterruptOn || w.value == mcode::kInterruptOff)) {
       c.warnOnce(
           "interrupts-off", "interrupt",

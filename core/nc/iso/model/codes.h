@@ -81,6 +81,9 @@ struct MCode {
   AddressSet words;
   std::string_view ids;
   std::string_view meaning;
+  /// What the code does to the plan when it is read, before the words of the block are. Null: nothing. False:
+  /// an error was reported.
+  PlanFunction plan = nullptr;
 };
 
 /// A row for what is neither a G nor an M code: words, syntax, errors.
@@ -102,7 +105,8 @@ struct CodeTable {
 /// All chapters of a control, with look-up by number: as programs write it, and as the shared rules do.
 class CodeIndex {
  public:
-  explicit CodeIndex(std::vector<CodeTable> tables);
+  /// Rows of `instead` replace those of the same number in programs.
+  explicit CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> instead = {});
   /// By the number in programs, tenfold. Null: no such code in this control.
   const GCode* g(int number10) const {
     if (number10 >= 0 && number10 < kDense) return g_[static_cast<std::size_t>(number10)];

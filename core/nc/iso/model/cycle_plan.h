@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/machine/axis_point.h"
+#include "core/nc/services/drilling.h"
 
 namespace proveout::nc {
 
@@ -13,6 +14,8 @@ struct Holes {
   AxisPoint step;       ///< position or step per axis, mm
   AxisSet incremental;  ///< axes with a step
   std::int64_t repeat = 1;
+  DrillCode code = DrillCode::kDrill;       ///< what is done at each
+  bool listed = false;                      ///< they are IsoContext::hole_points
   bool polar = false;                       ///< G16: plan.motion.target is the first hole
   bool from_hole = false;                   ///< the radius counts from hole to hole
   double radius = 0.0;                      ///< mm

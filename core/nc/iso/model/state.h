@@ -28,6 +28,10 @@ struct CycleWords {
   std::optional<double> retract_percent;
 };
 
+/// Tapping without a floating chuck where a function of its own asks for it (M29 of Fanuc-like controls):
+/// off, asked for, in force in a tapping cycle.
+enum class RigidTap : std::int8_t { kOff, kAsked, kOn };
+
 /// Last words that variables tell of and nothing else keeps (#4101 to #4130).
 struct LastWords {
   double e = 0.0;
@@ -90,6 +94,7 @@ struct IsoState {
   int d_tip = 0;                      ///< code of the tip of the same row, 0 to 9
   AxisPoint length;                   ///< length offset in force, machine axes, mm
   CycleWords cycle;
+  RigidTap rigid_tap = RigidTap::kOff;
   LastWords last;
   AutomaticBits automatic;
   AxisModal axes;
@@ -118,7 +123,10 @@ struct IsoState {
     const int g = active[kGroupRadiusComp];
     return g == gcode::kCompLeft ? d_radius : g == gcode::kCompRight ? -d_radius : 0.0;
   }
-  bool compOn() const { return active[kGroupRadiusComp] != gcode::kCompOff; }
+  bool compOn() const {
+    const int g = active[kGroupRadiusComp];
+    return g != gcode::kCompOff && g != gcode::kCompInSpace;
+  }
 };
 
 }  // namespace proveout::nc

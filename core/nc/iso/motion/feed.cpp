@@ -79,6 +79,7 @@ double turnsPerMinute(IsoContext& c, const BlockPlan& plan) {
   for (int i = 0; i < plan.m_count; ++i) turning = turning || (mcode::turns(plan.m_value[i]) && rpm > 0.0);
   // A rigid tap turns the spindle itself, with S, however it stands before.
   const int cycle = plan.next.active[kGroupCycle];
+  turning = turning || (rpm > 0.0 && plan.next.rigid_tap != RigidTap::kOff);
   turning = turning || (rpm > 0.0 && (cycle == gcode::kRigidTap || cycle == gcode::kRigidTapLeft) &&
                         plan.governor != nullptr && plan.governor->code10 == cycle);
   if (turning) return rpm;

@@ -125,7 +125,8 @@ bool IsoControl::opened() {
   } else if (opensLocals(frame.kind)) {  // a macro with its arguments anew
     c.variables.enter(frame.args);
   }
-  if (frame.kind != CallKind::kLines) tape_.skipLeader(c, frame);
+  // Where the call names the block to begin with, the program goes on from there.
+  if (frame.kind != CallKind::kLines && frame.first == 0) tape_.skipLeader(c, frame);
   return true;
 }
 

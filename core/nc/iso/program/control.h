@@ -76,6 +76,8 @@ class IsoControl final : private FlowControl<CallFrame> {
   Go flow(const FlowRequest& request);
   bool returnWords(FlowRequest& request);
   Go call();
+  /// A call of block N`P` of the program in hand (IsoRules::local_call).
+  Go callLocal();
   /// The program of P or <file> of the block, as seen from file `caller`.
   bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
   Go returnFrom(const FlowRequest& request);

@@ -34,6 +34,7 @@ constexpr std::size_t kMaxFileArgument = 60;
 Go IsoControl::flow(const BlockPlan& plan) {
   IsoContext& c = context_;
   if (plan.flow->code == mcode::kCall) return call();
+  if (plan.flow->code == c.dialect.rules.local_call) return callLocal();
   FlowRequest request;
   request.code = plan.flow->code;
   // A jump that fails leaves nowhere to go on: it always stops the run.
@@ -135,6 +136,40 @@ Go IsoControl::call() {
   const Word* l = c.word('L');
   if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
   if (!loadCalled(frame, "M98", c.calls.top().file)) return alarm();
+  if (!c.calls.hasDeferred()) return open(frame);
+  c.calls.defer(frame);
+  return Go::kOn;
+}
+
+Go IsoControl::callLocal() {
+  IsoContext& c = context_;
+  CallFrame frame;
+  frame.kind = CallKind::kSubprogram;
+  const std::string name = fmt::format("M{}", c.dialect.rules.local_call);
+  const Word* p = c.word('P');
+  const Word* l = c.word('L');
+  std::int64_t block = 0;
+  if (p == nullptr) {
+    c.alarm(SharedAlarm::kMissingData, "P", name + " needs the number of a block of this program");
+    return alarm();
+  }
+  if (!integerWord(c, *p, 1, 99999999, block)) return alarm();
+  if (l && !integerWord(c, *l, 0, 99999999, frame.total)) return alarm();
+  const CallFrame& caller = c.calls.top();
+  frame.setProgram(*caller.text, caller.file);
+  const SourceText::Label label = frame.text->label(block, 0);
+  if (label.line_index == SourceText::kNoLabel) {
+    c.fail(SharedAlarm::kBlockNotFound,
+           fmt::format("block N{} not found: {} calls a part of {}", block, name, frame.text->name()),
+           p->columns);
+    return alarm();
+  }
+  if (label.repeated) warnRepeated(caller, block, 0);
+  if (frame.total == 0) {
+    c.warnOnce("call-none", "call-none", name + " L0 calls nothing");
+    return Go::kOn;
+  }
+  frame.first = static_cast<std::size_t>(label.line_index);
   if (!c.calls.hasDeferred()) return open(frame);
   c.calls.defer(frame);
   return Go::kOn;

@@ -116,6 +116,7 @@ void resetAtEnd(IsoContext& c) {
   s.axes.polar = PolarData();
   s.axes.diameter = fresh.axes.diameter;
   s.automatic = AutomaticBits();
+  s.rigid_tap = RigidTap::kOff;
   c.interrupt = InterruptMacro();
   c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
   if (s.active[kGroupZones] == gcode::kZoneOff && c.registers.program_zone) {
