@@ -5,6 +5,7 @@
 #include "core/nc/fanuc/alarms.h"
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/system_variables/all_banks.h"
@@ -43,6 +44,15 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increme
   };
 }
 
+/// The flavour of Haas.
+IsoDialect haasOf(IsoDialect dialect) {
+  constexpr int kLocalCall = 97;
+  dialect.rules.last_of_group = false;
+  dialect.rules.local_call = kLocalCall;
+  dialect.work_system = haasWorkSystem;
+  return dialect;
+}
+
 bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
   const auto given = settings.find(std::string(fanucParameters().row(p).name));
   return given != settings.end() && given->second != 0.0;
@@ -56,6 +66,13 @@ const CodeIndex& fanucMillCodes() {
   return kIndex;
 }
 
+const CodeIndex& haasMillCodes() {
+  static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
+                                 fanucTransformsTable(), fanucMacroTable()},
+                                {haasMillTable()});
+  return kIndex;
+}
+
 const CodeIndex& fanucLatheCodes() {
   static const CodeIndex kIndex(
       {fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(), fanucMacroTable()});
@@ -65,6 +82,10 @@ const CodeIndex& fanucLatheCodes() {
 const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings) {
   static const IsoDialect kCalculator = dialectOf("fanuc-mill", fanucMillCodes(), false);
   static const IsoDialect kIncrement = dialectOf("fanuc-mill", fanucMillCodes(), true);
+  static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes(), false));
+  static const IsoDialect kHaasIncrement = haasOf(dialectOf("fanuc-mill", haasMillCodes(), true));
+  if (chosen(settings, FanucParam::kFlavour))
+    return chosen(settings, FanucParam::kDecimal) ? kHaasIncrement : kHaas;
   return chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator;
 }
 

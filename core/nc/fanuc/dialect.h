@@ -10,6 +10,7 @@ namespace proveout::nc {
 
 /// Codes of mills and of lathes; made once.
 const CodeIndex& fanucMillCodes();
+const CodeIndex& haasMillCodes();
 const CodeIndex& fanucLatheCodes();
 
 /// The control as the settings of the job (ControlSettings::parameters) have it at power-on. It lives as long

@@ -3,6 +3,7 @@
 #include "core/nc/fanuc/coverage/rows.h"
 #include "core/nc/fanuc/dialect.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
+#include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/model/code_coverage.h"
 #include "core/nc/iso/program/control.h"
 #include "core/nc/specification/specification_text.h"
@@ -20,7 +21,14 @@ InterpretSummary runLathe(const ProgramSource& source, const ControlSettings& se
   return IsoControl(fanucLatheDialect(settings.parameters), source, settings, sink, progress, host).run();
 }
 
-std::vector<CoverageRow> millCoverage() { return coverageOf(fanucMillCodes()); }
+/// Codes of Haas that stand in place of others come behind those.
+std::vector<CoverageRow> millCoverage() {
+  static const CodeIndex kHaas({haasMillTable()});
+  std::vector<CoverageRow> rows = coverageOf(fanucMillCodes());
+  const std::vector<CoverageRow> haas = coverageOf(kHaas);
+  rows.insert(rows.end(), haas.begin(), haas.end());
+  return rows;
+}
 std::vector<CoverageRow> latheCoverage() { return coverageOf(fanucLatheCodes()); }
 std::vector<ParameterInfo> fanucSettings() { return fanucParameters().list(); }
 

@@ -10,10 +10,16 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/coverage/rows_macro.cpp
   nc/fanuc/coverage/rows_text.cpp
   nc/fanuc/cycles/fanuc_cycles.cpp
+  nc/fanuc/haas/haas_codes.cpp
+  nc/fanuc/haas/haas_engraving.cpp
+  nc/fanuc/haas/haas_patterns.cpp
+  nc/fanuc/haas/haas_pockets.cpp
+  nc/fanuc/haas/outline_reader.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp
   nc/fanuc/tables/frames.cpp
+  nc/fanuc/tables/haas.cpp
   nc/fanuc/tables/macro.cpp
   nc/fanuc/tables/motion.cpp
   nc/fanuc/tables/transforms.cpp)

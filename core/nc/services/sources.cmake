@@ -1,6 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/services/arcs.cpp
   nc/services/bell_profile.cpp
+  nc/services/circular_pocket.cpp
   nc/services/contour/contour_clearance.cpp
   nc/services/contour/contour_corner.cpp
   nc/services/contour/contour_crossing.cpp
@@ -14,10 +15,12 @@ target_sources(proveout_core PRIVATE
   nc/services/cutter_comp_corner.cpp
   nc/services/cutter_comp_roll.cpp
   nc/services/drilling.cpp
+  nc/services/outline_pocket.cpp
   nc/services/pocket.cpp
   nc/services/plane_curves.cpp
   nc/services/rapid_overlap.cpp
   nc/services/speed_plan.cpp
+  nc/services/stroke_font.cpp
   nc/services/surface_speed.cpp
   nc/services/virtual_plane.cpp
   nc/services/wire_offset.cpp

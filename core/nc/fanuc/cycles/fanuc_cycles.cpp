@@ -213,6 +213,8 @@ const CycleRules& fanucCycleRulesOf(bool haas) {
 }
 
 bool planFanucCycle(IsoContext& c, BlockPlan& plan) {
+  if (plan.next.active[kGroupRadiusComp] == gcode::kCompInSpace)
+    return c.fail("space-comp", "no drilling cycles under G141: program G40 before");
   if (tapsThread(plan) && plan.next.rigid_tap == RigidTap::kAsked) plan.next.rigid_tap = RigidTap::kOn;
   return planCycleBy(c, plan, fanucCycleRulesOf(isHaas(c)));
 }

@@ -13,5 +13,7 @@ CodeTable fanucTransformsTable();
 CodeTable fanucMacroTable();
 // Mills.
 CodeTable fanucCyclesTable();
+/// Mills of Haas: instead of rows of the others, or beside them.
+CodeTable haasMillTable();
 
 }  // namespace proveout::nc

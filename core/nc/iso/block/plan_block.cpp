@@ -231,6 +231,9 @@ bool claim(IsoContext& c, BlockPlan& plan, const GCode& code) {
   // In a circular block I, J, K are the centre, not the vector of a change of side.
   const bool arc = motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise;
   if (code.group == kGroupRadiusComp && (arc || plan.next.inCycle())) return true;
+  // A one-shot code that reads D offsets its path itself, and I, J, K are its own too.
+  const GCode* one_shot = plan.by_group[kOneShot];
+  if (code.group == kGroupRadiusComp && one_shot != nullptr && one_shot->words.has('D')) return true;
   if (!(plan.claimed & code.words & c.block.present).empty()) {
     return sharedWord(c, plan, code.words, gName(code.number10()));
   }
@@ -401,7 +404,7 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
   if (one_shot && one_shot->code10 == gcode::kKeepVector && !(was_on && plan.next.compOn())) {
     return c.fail("cutter-comp", "G38 and G39 need G41 or G42");
   }
-  if (code == nullptr) return true;
+  if (code == nullptr || code->code10 == gcode::kCompInSpace) return true;
   if (plan.next.compOn() && !planeOfLines(c, plan, SharedAlarm::kPlane, "G41 and G42 need linear axes"))
     return false;
   const int motion = plan.next.active[kGroupMotion];

@@ -15,11 +15,11 @@ namespace proveout::nc {
 bool IsoControl::takeInterruptWords() {
   IsoContext& c = context_;
   interrupt_switch_ = InterruptSwitch::kNone;
-  if (!c.block.present.has('M')) return true;
+  if (!c.block.present.has('M') || c.dialect.rules.local_call >= 0) return true;
   c.m_index.update(c.parameters);
   const bool off = !c.parameters.flag(MacroParam::kInterrupts);
   for (const Word& w : c.block.words) {
-    if (w.address != 'M' || w.value == c.dialect.rules.local_call) continue;
+    if (w.address != 'M') continue;
     if (off && (w.value == mcode::kInterruptOn || w.value == mcode::kInterruptOff)) {
       c.warnOnce(
           "interrupts-off", "interrupt",

@@ -88,11 +88,12 @@ struct IsoState {
   int tool = 0, next_tool = -1;
   int tool_row = 0, next_row = 0;  ///< of these in the tool management table; 0: none
   int h = 0, d = 0;
-  double h_value = 0.0;               ///< mm, read when H was executed
-  std::array<double, 2> h_turning{};  ///< turning lengths X, Y of the same row, mm
-  double d_radius = 0.0;              ///< mm, read when D was executed
-  int d_tip = 0;                      ///< code of the tip of the same row, 0 to 9
-  AxisPoint length;                   ///< length offset in force, machine axes, mm
+  double h_value = 0.0;                 ///< mm, read when H was executed
+  std::array<double, 2> h_turning{};    ///< turning lengths X, Y of the same row, mm
+  double d_radius = 0.0;                ///< mm, read when D was executed
+  std::array<double, 3> comp_vector{};  ///< unit, X, Y, Z: where G141 moves points by d_radius
+  int d_tip = 0;                        ///< code of the tip of the same row, 0 to 9
+  AxisPoint length;                     ///< length offset in force, machine axes, mm
   CycleWords cycle;
   RigidTap rigid_tap = RigidTap::kOff;
   LastWords last;
