@@ -2,6 +2,7 @@
 
 #include "core/nc/iso/system_variables/all_banks.h"
 #include "core/nc/linuxcnc/alarms.h"
+#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/formulas.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/linuxcnc/tables/tables.h"
@@ -33,6 +34,9 @@ const IsoDialect& linuxCncDialect(const std::map<std::string, double>& /*setting
       .lexing = linuxCncLexing(),
       .layout = ProgramLayout::kSeveralInAFile,
       .system_variables = allBanks,
+      .maker_data = makeLinuxCncChannel,
+      .plan = planLinuxCncBlock,
+      .power_on = powerOnLinuxCnc,
   };
   return kDialect;
 }

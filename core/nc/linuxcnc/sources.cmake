@@ -7,4 +7,17 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/coverage/rows_motion.cpp
   nc/linuxcnc/coverage/rows_text.cpp
   nc/linuxcnc/parameters/linuxcnc_parameters.cpp
+  nc/linuxcnc/block/plan.cpp
+  nc/linuxcnc/block/steps.cpp
+  nc/linuxcnc/block/words.cpp
+  nc/linuxcnc/comp/comp_codes.cpp
+  nc/linuxcnc/comp/comp_stage.cpp
+  nc/linuxcnc/cycles/drill.cpp
+  nc/linuxcnc/frames/frames.cpp
+  nc/linuxcnc/frames/tools.cpp
+  nc/linuxcnc/model/channel.cpp
+  nc/linuxcnc/motion/arcs.cpp
+  nc/linuxcnc/motion/probe.cpp
+  nc/linuxcnc/motion/splines.cpp
+  nc/linuxcnc/motion/straight.cpp
   nc/linuxcnc/tables/motion.cpp)

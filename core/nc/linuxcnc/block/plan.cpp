@@ -1,0 +1,261 @@
+// Order of execution of a line, and who owns its axis words.
+#include <fmt/core.h>
+
+#include "core/nc/iso/perform/perform.h"
+#include "core/nc/iso/spindle/spindle.h"
+#include "core/nc/iso/tools/tools.h"
+#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+
+namespace proveout::nc {
+namespace {
+
+bool lcnTakeG(IsoContext& c, BlockPlan& plan, const Word& w) {
+  const int code10 = code10Of(w);
+  const GCode* code = code10 < 0 ? nullptr : c.codes.g(code10);
+  const std::string text(c.block.text.substr(static_cast<std::size_t>(w.columns.begin - 1),
+                                             static_cast<std::size_t>(w.columns.end - w.columns.begin)));
+  if (code == nullptr)
+    return c.alarm(SharedAlarm::kNotImplemented, text + " is not a code of this control", {}, w.columns);
+  if (!code->built)
+    return c.alarm(SharedAlarm::kNotImplemented, fmt::format("{} ({}) is not supported", text, code->meaning),
+                   {}, w.columns);
+  const GCode*& slot = plan.by_group[static_cast<std::size_t>(code->group)];
+  if (slot != nullptr) {
+    return c.failWord("group-clash",
+                      fmt::format("Two g codes used from same modal group: {} and {}", gName(slot->code10),
+                                  gName(code10)),
+                      w);
+  }
+  slot = code;
+  plan.any_group = true;
+  plan.code_kinds.add(code->kinds);
+  plan.flush = plan.flush || code->flushes;
+  return true;
+}
+
+bool lcnTakeCodes(IsoContext& c, BlockPlan& plan) {
+  if (!c.block.present.has('G')) return true;
+  for (const Word& w : c.block.words) {
+    if (w.address == 'G' && !lcnTakeG(c, plan, w)) return false;
+  }
+  return true;
+}
+
+/// Codes outside the group of motions that take axis words for themselves.
+bool lcnCovets(const IsoContext& c, const GCode* one_shot) {
+  if (one_shot == nullptr) return false;
+  switch (one_shot->code10) {
+    case lcn::kData:
+    case gcode::kReference:
+    case gcode::kNumberedReference:
+    case gcode::kLocalShift:
+    case gcode::kSetPosition:
+      return true;
+    default:
+      return one_shot->words.has('X') && lcnAnyAxis(c) && one_shot->code10 != gcode::kMachineMove;
+  }
+}
+
+/// Whose the axis words of the block are: plan.governor. False: reported.
+bool lcnChooseGovernor(IsoContext& c, BlockPlan& plan) {
+  const GCode* motion = plan.by_group[kGroupMotion];
+  const GCode* one_shot = plan.by_group[kOneShot];
+  const bool covets = lcnCovets(c, one_shot);
+  const GCode* length = plan.by_group[kGroupLengthComp];
+  const bool by_words =
+      length != nullptr && (length->code10 == lcn::kLengthByWords ||
+                            (length->code10 == lcn::kLengthAdded && !c.block.present.has('H')));
+  const bool axes = lcnAnyAxis(c);
+  if (motion != nullptr && motion->code10 != lcn::kNoMotion) {
+    if ((covets || (by_words && axes)) && axes)
+      return lcnFail(c, "axis-words", "Cannot use two g codes that both use axis values");
+    plan.governor = motion;
+    return true;
+  }
+  plan.governor = covets ? one_shot : c.codes.g(lcn::kNoMotion);
+  if (covets || by_words || !axes) {
+    const int active = c.state.active[kGroupMotion];
+    // A spline goes on by its words alone.
+    const bool goes_on = motion == nullptr && !covets && !by_words && active == 62 &&
+                         linuxCncChannel(c).modal.nurbs == 2 && c.block.present.has('K');
+    const bool arc = active == gcode::kArcClockwise || active == gcode::kArcCounterClockwise;
+    const bool centre = motion == nullptr && !covets && !by_words && arc &&
+                        !(c.block.present & AddressSet("IJK")).empty();
+    if (goes_on || centre) plan.governor = c.codes.g(active);
+    return true;
+  }
+  if (motion != nullptr) return lcnFail(c, "axis-words", "Cannot use axis values with g80");
+  if (c.state.active[kGroupMotion] == lcn::kNoMotion)
+    return lcnFail(c, "axis-words", "Cannot use axis values without a g code that uses them");
+  plan.governor = c.codes.g(c.state.active[kGroupMotion]);
+  return true;
+}
+
+bool lcnPlanFeedWords(IsoContext& c, BlockPlan& plan) {
+  LinuxCncModal& next = linuxCncChannel(c).next;
+  if (const GCode* mode = plan.by_group[kGroupFeedMode]) {
+    plan.next.active[kGroupFeedMode] = mode->code10;
+    // Without a new F nothing moves behind a change of the mode.
+    if (mode->code10 != c.state.active[kGroupFeedMode]) {
+      next.feed = next.feed_number = plan.next.feed = 0.0;
+    }
+  }
+  const Word* f = c.word('F');
+  if (f == nullptr) return true;
+  if (f->value < 0.0) return lcnFail(c, "feed", "Negative f word used", f);
+  next.feed_number = plan.next.feed = f->value;
+  // The units of the line before: G20 and G21 come behind F.
+  next.feed = f->value * c.state.unitScale();
+  return true;
+}
+
+bool lcnPlanSpeedWords(IsoContext& c, BlockPlan& plan) {
+  IsoState& next = plan.next;
+  if (const GCode* mode = plan.by_group[kGroupSurfaceSpeed]) {
+    next.active[kGroupSurfaceSpeed] = mode->code10;
+    plan.claimed = plan.claimed | mode->words;
+    const Word* d = c.word('D');
+    if (mode->code10 == gcode::kSurfaceSpeed) {
+      if (d != nullptr && d->value <= 0.0)
+        return lcnFail(c, "surface-speed", "D word with G96 must be positive", d);
+      next.speed_limit = d == nullptr ? 0.0 : d->value;
+      if (!c.block.present.has('S'))
+        return lcnFail(c, "surface-speed", "S word missing with G96");
+    }
+  }
+  if (const Word* s = c.word('S'); s != nullptr && s->value < 0.0)
+    return lcnFail(c, "spindle", "Negative spindle speed used", s);
+  const bool surface = next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed;
+  if ((c.block.present.has('S') || surface) && !planSpindle(c, plan)) return false;
+  const bool left = c.state.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed && !surface;
+  plan.spindle_changed = plan.spindle_changed || left;
+  if (const Word* t = c.word('T')) {
+    if (!planTool(c, plan, *t)) return false;
+    plan.tool_called = true;
+  }
+  if (plan.tool_change && c.state.compOn())
+    return lcnFail(c, "comp", "Cannot change tools with cutter radius compensation on");
+  return true;
+}
+
+/// A code of a group that only sets it.
+void lcnSet(BlockPlan& plan, IsoGroup group) {
+  if (const GCode* code = plan.by_group[static_cast<std::size_t>(group)]) {
+    plan.next.active[static_cast<std::size_t>(group)] = code->code10;
+    plan.claimed = plan.claimed | code->words;
+  }
+}
+
+bool lcnPlanPlane(IsoContext& c, BlockPlan& plan) {
+  const GCode* code = plan.by_group[kGroupPlane];
+  if (code == nullptr) return true;
+  if (code->code10 != c.state.active[kGroupPlane] && c.state.compOn())
+    return lcnFail(c, "comp", "Cannot change planes with cutter radius compensation on");
+  lcnSet(plan, kGroupPlane);
+  const WorkPlane plane{PlaneFrame(plan.next.plane())};
+  AxisModal& axes = plan.next.axes;
+  axes.plane_u = static_cast<std::int8_t>(plane.u);
+  axes.plane_v = static_cast<std::int8_t>(plane.v);
+  axes.plane_w = static_cast<std::int8_t>(plane.w);
+  return true;
+}
+
+bool lcnPlanModes(IsoContext& c, BlockPlan& plan) {
+  if (!plan.any_group) {
+    plan.chain = &c.chain;
+    return true;
+  }
+  const GCode* units = plan.by_group[kGroupUnits];
+  if (units != nullptr && c.state.compOn() && units->code10 != c.state.active[kGroupUnits])
+    return lcnFail(c, "comp", "Cannot change units with cutter radius compensation on");
+  if (!lcnPlanPlane(c, plan)) return false;
+  lcnSet(plan, kGroupUnits);
+  lcnSet(plan, static_cast<IsoGroup>(kGroupLathe));
+  plan.next.axes.diameter[0] = plan.next.active[kGroupLathe] == lcn::kDiameterMode;
+  // What the offsets change is planned with the words as the line before has them, but with these units.
+  if (!planLcnComp(c, plan) || !planLcnLength(c, plan) || !planLcnFrame(c, plan)) return false;
+  for (const auto group : {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn})
+    lcnSet(plan, group);
+  if (plan.frames_changed) {
+    plan.new_chain = c.chainOf(plan.next);
+    plan.chain = &*plan.new_chain;
+    plan.start = plan.chain->programOf(c.machine);
+  } else {
+    plan.chain = &c.chain;
+  }
+  return true;
+}
+
+/// The one-shot code that stands beside the motion or alone, then the motion.
+bool lcnGovern(IsoContext& c, BlockPlan& plan) {
+  const GCode* one_shot = plan.by_group[kOneShot];
+  if (one_shot != nullptr && one_shot->plan != nullptr && plan.governor != one_shot) {
+    if (!one_shot->plan(c, plan)) return false;
+    plan.claimed = plan.claimed | one_shot->words.without(plan.governor->words);
+  }
+  LinuxCncModal& next = linuxCncChannel(c).next;
+  const GCode* motion = plan.by_group[kGroupMotion];
+  const int active = c.state.active[kGroupMotion];
+  if (motion != nullptr) plan.next.active[kGroupMotion] = motion->code10;
+  if (motion != nullptr && motion->code10 != 50) next.cubic.reset();
+  const bool open = next.nurbs != 0 && motion != nullptr;
+  if (open && next.nurbs == 1 && motion->code10 != 52 && motion->code10 != 53)
+    return lcnFail(c, "spline", "Must use g5.3 to close the NURBS block that G5.2 has opened");
+  if (next.nurbs == 2 && motion != nullptr && motion->code10 != 62) next.nurbs = 0;
+  (void)active;
+  return plan.governor->plan(c, plan);
+}
+
+/// Words that no code of the line takes.
+bool lcnCheckWords(IsoContext& c, const BlockPlan& plan) {
+  AddressSet legal = AddressSet("GMFST") | plan.claimed | plan.governor->words;
+  if (plan.governor->words.has('X')) {
+    legal = legal | c.axes.addresses();
+    legal.add('^');
+    legal.add(kNamedWord);
+  }
+  if (c.block.present.without(legal).empty()) return true;
+  for (const Word& w : c.block.words) {
+    if (legal.has(w.address)) continue;
+    const std::string letter(1, static_cast<char>(w.address));
+    return lcnFail(c, "unused-word", fmt::format("{} word with no code to use it", letter), &w);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool lcnFail(IsoContext& c, const char* name, std::string message, const Word* at) {
+  return c.fail(name, std::move(message), at == nullptr ? Columns{} : at->columns);
+}
+
+bool planLinuxCncBlock(IsoContext& c, BlockPlan& plan) {
+  LinuxCncChannel& own = linuxCncChannel(c);
+  own.begin();
+  c.asked = {};
+  plan.start = c.position;
+  plan.motion.target = plan.start;
+  plan.governor = c.codes.g(lcn::kNoMotion);
+  plan.next.axes.threading = false;
+  if (c.block.number >= 0) plan.next.last.n = c.block.number;
+  return lcnTakeCodes(c, plan) && collectM(c, plan) && lcnChooseGovernor(c, plan) &&
+         lcnPlanFeedWords(c, plan) && lcnPlanSpeedWords(c, plan) && lcnPlanModes(c, plan) &&
+         lcnGovern(c, plan) && lcnCheckWords(c, plan);
+}
+
+void powerOnLinuxCnc(const IsoContext& c, IsoState& s) {
+  s.active[kGroupMotion] = lcn::kNoMotion;
+  s.active[kGroupReturn] = gcode::kReturnToR;
+  s.active[kGroupArcCentre] = lcn::kCentreIncremental;
+  s.active[kGroupLathe] = lcn::kRadiusMode;
+  s.feed = 0.0;
+  if (!c.parameters.flag(LinuxCncParam::kLathe)) return;
+  s.active[kGroupPlane] = gcode::kPlaneZX;
+  const WorkPlane plane{PlaneFrame(Plane::kZX)};
+  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
+  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
+  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+}
+
+}  // namespace proveout::nc

@@ -1,0 +1,126 @@
+// G2 G3: centre and radius form, full turns, tolerances.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+
+namespace proveout::nc {
+namespace {
+
+constexpr double kLcnRadiusShare = 1e-3;          ///< of the larger radius that both may differ by
+constexpr double kLcnReachMm = 0.00127;           ///< an arc by radius may miss half its chord by so much
+constexpr double kLcnTinyShare = 1e-7;            ///< nearer than this a chord is a diameter
+constexpr double kLcnMostTurns = 10000.0, kLcnMostOfSpirals = 1000.0;
+
+struct LcnArc {
+  Vec2 start, end, center;
+  bool ccw = false;
+};
+
+/// The centre by I, J, K. False: reported.
+bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
+  const PlaneFrame frame(plan.next.plane());
+  const char* const planes[] = {"xy", "xz", "yz"};
+  const char* const name = planes[static_cast<int>(plan.next.plane())];
+  const bool absolute = plan.next.active[kGroupArcCentre] == lcn::kCentreAbsolute;
+  arc.center = arc.start;
+  int given = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Word* w = c.ownWord(plan, "IJK"[axis]);
+    if (w == nullptr) continue;
+    if (axis == frame.w())
+      return lcnFail(c, "arc-plane", fmt::format("{} word given for arc in {} plane", "IJK"[axis], name), w);
+    double& at = axis == frame.u() ? arc.center.x() : arc.center.y();
+    at = (absolute ? 0.0 : at) + lengthOf(plan, *w);
+    ++given;
+  }
+  if (absolute && given < 2)
+    return lcnFail(c, "arc-center",
+                   "Both offsets must be specified in absolute ijk mode (G90.1): one of I, J, K is missing");
+  const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
+  const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
+  const double tolerance = c.parameters[LinuxCncParam::kArcTolerance] * std::sqrt(2.0);
+  if (difference > 100.0 * tolerance ||
+      (difference > tolerance && difference > kLcnRadiusShare * larger)) {
+    return lcnFail(c, "arc-radius",
+                   fmt::format("Radius to end of arc differs from radius to start: {:.6g} and {:.6g} mm, by "
+                               "{:.4g} mm or {:.3g} %",
+                               r1, r2, difference, 100.0 * difference / larger));
+  }
+  if (r1 < 1e-9 && r2 < 1e-9) return lcnFail(c, "arc-zero", "Zero-radius arc");
+  return true;
+}
+
+bool lcnRadius(IsoContext& c, const BlockPlan& plan, const Word& r, LcnArc& arc) {
+  double radius = std::abs(lengthOf(plan, r));
+  const Vec2 chord = arc.end - arc.start;
+  const double half = 0.5 * chord.norm();
+  if (!(half > 0.0)) return lcnFail(c, "arc-end", "Current point same as end point of arc", &r);
+  if (half - radius > kLcnReachMm)
+    return lcnFail(c, "arc-reach",
+                   fmt::format("Arc radius too small to reach end point: R is {:.6g} mm, half of the chord {:.6g}",
+                               radius, half),
+                   &r);
+  const double height =
+      half / radius > 1.0 - kLcnTinyShare ? 0.0 : std::sqrt(std::max(0.0, radius * radius - half * half));
+  const double side = arc.ccw == (r.value > 0.0) ? 1.0 : -1.0;
+  arc.center = 0.5 * (arc.start + arc.end) + Vec2(-chord.y(), chord.x()) * (side * height / (2.0 * half));
+  return true;
+}
+
+/// Angle of the motion, signed, with the turns of P.
+double lcnSweep(const LcnArc& arc, double turns) {
+  const Vec2 a = arc.start - arc.center, b = arc.end - arc.center;
+  double part = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
+  if (!arc.ccw) part = -part;
+  constexpr double kSameRad = 1e-12;
+  if (part <= kSameRad) part += 2.0 * kPi;
+  part += 2.0 * kPi * (turns - 1.0);
+  return arc.ccw ? part : -part;
+}
+
+}  // namespace
+
+bool planLcnArc(IsoContext& c, BlockPlan& plan) {
+  plan.perform = performLinuxCncSteps;
+  const GCode* one_shot = plan.by_group[kOneShot];
+  if (one_shot != nullptr && one_shot->code10 == gcode::kMachineMove)
+    return lcnFail(c, "machine-move", "Must use g0 or g1 with g53");
+  const bool ijk = !(c.block.present & AddressSet("IJK")).empty();
+  const Word* r = c.ownWord(plan, 'R');
+  LinuxCncChannel& own = linuxCncChannel(c);
+  if (!lcnTarget(c, plan, plan.motion.target)) return false;
+  if (r != nullptr && ijk) return lcnFail(c, "arc-form", "Mixed radius ijk format for arc", r);
+  if (r == nullptr && !ijk) return lcnFail(c, "arc-form", "R i j k words all missing for arc");
+  if (lcnCompOn(c, plan) == false && !own.modal.arc_after_comp)
+    return lcnFail(c, "comp", "Cannot use an arc right behind cutter radius compensation: program G0 or G1 first");
+  const WorkPlane plane = plan.next.workPlane();
+  LcnArc arc;
+  arc.start = plane.of(plan.start).head<2>();
+  arc.end = plane.of(plan.motion.target).head<2>();
+  arc.ccw = plan.next.active[kGroupMotion] == gcode::kArcCounterClockwise;
+  if (r != nullptr ? !lcnRadius(c, plan, *r, arc) : !lcnCentre(c, plan, arc)) return false;
+  std::int64_t turns = 1;
+  if (const Word* p = c.ownWord(plan, 'P')) {
+    if (!lcnInteger(c, *p, turns)) return false;
+    if (turns < 1) return lcnFail(c, "arc-turns", "P value not an integer above 0 with an arc", p);
+  }
+  const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
+  const double most = std::abs(r1 - r2) > 1e-6 ? kLcnMostOfSpirals : kLcnMostTurns;
+  if (static_cast<double>(turns) > most)
+    return c.alarm(SharedAlarm::kOutOfRange, "P",
+                   fmt::format("more than {:g} turns in one line are not simulated", most));
+  const double sweep = lcnSweep(arc, static_cast<double>(turns));
+  const double along = std::abs(sweep) * 0.5 * (r1 + r2);
+  const double height = plan.motion.target[plane.w] - plan.start[plane.w];
+  if (!lcnFeed(c, plan, std::hypot(along, height), lcnTurnOf(c, plan.start, plan.motion.target),
+               arc.ccw ? "g3" : "g2", plan.motion.feed))
+    return false;
+  own.steps.push_back(
+      {.kind = LinuxCncStep::Kind::kArc, .to = plan.motion.target, .center = arc.center, .sweep = sweep});
+  return true;
+}
+
+}  // namespace proveout::nc
