@@ -136,7 +136,8 @@ bool ArcCornerComp::meeting(const ArcCornerPiece& next, const Vec2& direction, V
     if (p.arc) return PlaneCurve{true, p.center, Vec2::UnitX(), (end - p.center).norm()};
     return PlaneCurve{false, end, d, 0.0};
   };
-  const Meeting found = meet(curve(last, held_.direction, flat(last.to)), curve(next, direction, flat(next.to)));
+  const Meeting found =
+      meet(curve(last, held_.direction, flat(last.to)), curve(next, direction, flat(next.to)));
   double least = 0.0;
   for (std::size_t k = 0; k < found.count; ++k) {
     const double distance = (found.points[k] - flat(programmed_)).norm();
@@ -165,7 +166,11 @@ ArcCornerFault ArcCornerComp::corner(const Vec2& tangent, const ArcCornerPiece& 
     if (!meeting(next, next.arc ? Vec2::UnitX() : tangent, at)) return ArcCornerFault::kNoMeeting;
     return moveEnd(at, out);
   }
-  release(out);
+  if (next.arc) {
+    release(out);
+  } else if (const auto fault = flush(out); fault != ArcCornerFault::kNone) {
+    return fault;
+  }
   if (turn <= kSmallTurn) return ArcCornerFault::kNone;
   ArcCornerPiece piece;
   piece.kind = ArcCornerPiece::Kind::kCorner;
@@ -208,13 +213,16 @@ ArcCornerFault ArcCornerComp::push(const ArcCornerMove& move, std::vector<ArcCor
     piece.to = {to.x(), to.y(), move.to.z()};
   }
   const Vec2 square = from + move.offset * left(tangent);
-  if (const auto fault = corner(tangent, piece, move.offset, out); fault != ArcCornerFault::kNone) return fault;
+  if (const auto fault = corner(tangent, piece, move.offset, out); fault != ArcCornerFault::kNone)
+    return fault;
   piece.from = center_;
   if (move.arc) {
     // Longer or shorter by what the corner has moved its start.
     const double sign = move.sweep < 0.0 ? -1.0 : 1.0;
     const double moved = sign * angle(square - move.center, flat(center_) - move.center);
-    piece.sweep = sign * std::max(std::abs(move.sweep) - moved, 0.0);
+    const double sweep = std::abs(move.sweep) - moved;
+    if (sweep < -1e-9) return ArcCornerFault::kArcGouges;
+    piece.sweep = sign * std::max(sweep, 0.0);
   }
   programmed_ = move.to;
   hold(piece, direction);

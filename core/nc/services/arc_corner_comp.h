@@ -14,11 +14,11 @@ namespace proveout {
 
 enum class ArcCornerFault : std::uint8_t {
   kNone,
-  kEntryTooShort,    ///< the way in is not longer than the radius
-  kArcTooSmall,      ///< an inside arc with no larger radius than the tool's
-  kLineGouges,       ///< a line in an inside corner is shorter than the tool needs
-  kArcGouges,        ///< an arc likewise
-  kNoMeeting,        ///< the offset paths of an inside corner do not meet
+  kEntryTooShort,  ///< the way in is not longer than the radius
+  kArcTooSmall,    ///< an inside arc with no larger radius than the tool's
+  kLineGouges,     ///< a line in an inside corner is shorter than the tool needs
+  kArcGouges,      ///< an arc likewise
+  kNoMeeting,      ///< the offset paths of an inside corner do not meet
   kNotFinite
 };
 

@@ -1,4 +1,5 @@
 target_sources(proveout_core PRIVATE
+  nc/services/arc_corner_comp.cpp
   nc/services/arcs.cpp
   nc/services/bell_profile.cpp
   nc/services/circular_pocket.cpp
@@ -20,6 +21,7 @@ target_sources(proveout_core PRIVATE
   nc/services/plane_curves.cpp
   nc/services/rapid_overlap.cpp
   nc/services/speed_plan.cpp
+  nc/services/splines.cpp
   nc/services/stroke_font.cpp
   nc/services/surface_speed.cpp
   nc/services/virtual_plane.cpp

@@ -6,8 +6,8 @@
 namespace proveout {
 namespace splines_detail {
 
-constexpr int kDeepest = 16;     ///< halvings of a stretch
-constexpr int kAtLeast = 2;      ///< halvings that are always made: a curve may cross its chord
+constexpr int kDeepest = 16;  ///< halvings of a stretch
+constexpr int kAtLeast = 2;   ///< halvings that are always made: a curve may cross its chord
 constexpr std::size_t kMost = 65536;
 
 double fromSegment(const Vec2& p, const Vec2& a, const Vec2& b) {
@@ -73,8 +73,8 @@ Vec2 nurbsPoint(const std::vector<Vec3>& points, const std::vector<double>& knot
   return {d[degree].x() / d[degree].z(), d[degree].y() / d[degree].z()};
 }
 
-bool appendNurbs(const std::vector<Vec3>& points, const std::vector<double>& knots, int order, double tolerance,
-                 std::vector<Vec2>& out) {
+bool appendNurbs(const std::vector<Vec3>& points, const std::vector<double>& knots, int order,
+                 double tolerance, std::vector<Vec2>& out) {
   const bool counts = order >= 2 && points.size() >= static_cast<std::size_t>(order) &&
                       knots.size() == points.size() + static_cast<std::size_t>(order);
   if (!counts || !std::is_sorted(knots.begin(), knots.end())) return false;

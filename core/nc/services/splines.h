@@ -19,8 +19,8 @@ std::vector<double> uniformKnots(std::size_t points, int order);
 
 /// The same of a NURBS: points (u, v, weight > 0), knots that do not fall, as many as points and order
 /// together. False: knots or order are not so, or there are too few points.
-bool appendNurbs(const std::vector<Vec3>& points, const std::vector<double>& knots, int order, double tolerance,
-                 std::vector<Vec2>& out);
+bool appendNurbs(const std::vector<Vec3>& points, const std::vector<double>& knots, int order,
+                 double tolerance, std::vector<Vec2>& out);
 /// Its point at a value between the knots order - 1 and points.
 Vec2 nurbsPoint(const std::vector<Vec3>& points, const std::vector<double>& knots, int order, double t);
 

@@ -22,10 +22,10 @@ bool lcnTakeG(IsoContext& c, BlockPlan& plan, const Word& w) {
                    {}, w.columns);
   const GCode*& slot = plan.by_group[static_cast<std::size_t>(code->group)];
   if (slot != nullptr) {
-    return c.failWord("group-clash",
-                      fmt::format("Two g codes used from same modal group: {} and {}", gName(slot->code10),
-                                  gName(code10)),
-                      w);
+    return c.failWord(
+        "group-clash",
+        fmt::format("Two g codes used from same modal group: {} and {}", gName(slot->code10), gName(code10)),
+        w);
   }
   slot = code;
   plan.any_group = true;
@@ -80,8 +80,8 @@ bool lcnChooseGovernor(IsoContext& c, BlockPlan& plan) {
     const bool goes_on = motion == nullptr && !covets && !by_words && active == 62 &&
                          linuxCncChannel(c).modal.nurbs == 2 && c.block.present.has('K');
     const bool arc = active == gcode::kArcClockwise || active == gcode::kArcCounterClockwise;
-    const bool centre = motion == nullptr && !covets && !by_words && arc &&
-                        !(c.block.present & AddressSet("IJK")).empty();
+    const bool centre =
+        motion == nullptr && !covets && !by_words && arc && !(c.block.present & AddressSet("IJK")).empty();
     if (goes_on || centre) plan.governor = c.codes.g(active);
     return true;
   }
@@ -96,10 +96,8 @@ bool lcnPlanFeedWords(IsoContext& c, BlockPlan& plan) {
   LinuxCncModal& next = linuxCncChannel(c).next;
   if (const GCode* mode = plan.by_group[kGroupFeedMode]) {
     plan.next.active[kGroupFeedMode] = mode->code10;
-    // Without a new F nothing moves behind a change of the mode.
-    if (mode->code10 != c.state.active[kGroupFeedMode]) {
-      next.feed = next.feed_number = plan.next.feed = 0.0;
-    }
+    // The word alone takes F away, in the same mode too.
+    next.feed = next.feed_number = plan.next.feed = 0.0;
   }
   const Word* f = c.word('F');
   if (f == nullptr) return true;
@@ -120,8 +118,7 @@ bool lcnPlanSpeedWords(IsoContext& c, BlockPlan& plan) {
       if (d != nullptr && d->value <= 0.0)
         return lcnFail(c, "surface-speed", "D word with G96 must be positive", d);
       next.speed_limit = d == nullptr ? 0.0 : d->value;
-      if (!c.block.present.has('S'))
-        return lcnFail(c, "surface-speed", "S word missing with G96");
+      if (!c.block.present.has('S')) return lcnFail(c, "surface-speed", "S word missing with G96");
     }
   }
   if (const Word* s = c.word('S'); s != nullptr && s->value < 0.0)
@@ -167,15 +164,20 @@ bool lcnPlanModes(IsoContext& c, BlockPlan& plan) {
     return true;
   }
   const GCode* units = plan.by_group[kGroupUnits];
-  if (units != nullptr && c.state.compOn() && units->code10 != c.state.active[kGroupUnits])
-    return lcnFail(c, "comp", "Cannot change units with cutter radius compensation on");
+  if (units != nullptr && units->code10 != c.state.active[kGroupUnits] && !(c.state.length == AxisPoint()))
+    c.warnOnce(
+        "units with length", "units-with-length",
+        "the units change while a tool offset is in force: the interpreter of LinuxCNC 2.9 keeps the "
+        "offset's number, so that its next G43, G49, G28, G30 or G53 may go elsewhere; here the offset "
+        "stays what it is: program the units before G43");
   if (!lcnPlanPlane(c, plan)) return false;
   lcnSet(plan, kGroupUnits);
   lcnSet(plan, static_cast<IsoGroup>(kGroupLathe));
   plan.next.axes.diameter[0] = plan.next.active[kGroupLathe] == lcn::kDiameterMode;
   // What the offsets change is planned with the words as the line before has them, but with these units.
   if (!planLcnComp(c, plan) || !planLcnLength(c, plan) || !planLcnFrame(c, plan)) return false;
-  for (const auto group : {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn})
+  for (const auto group :
+       {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn})
     lcnSet(plan, group);
   if (plan.frames_changed) {
     plan.new_chain = c.chainOf(plan.next);

@@ -60,9 +60,9 @@ bool lcnInReach(IsoContext& c, const BlockPlan& plan, const AxisPoint& target) {
     const double most = rotary ? kLcnMostTurnDeg : kLcnFarthestMm;
     const double way = rotary ? target[axis] - plan.start[axis] : target[axis];
     if (std::abs(way) <= most) continue;  // false for what is no number too
-    return c.alarm(SharedAlarm::kOutOfRange, c.axes.at(axis).name,
-                   rotary ? "more than 100 turns in one line are not simulated"
-                          : "farther than 10 km no machine goes");
+    return c.alarm(
+        SharedAlarm::kOutOfRange, c.axes.at(axis).name,
+        rotary ? "more than 100 turns in one line are not simulated" : "farther than 10 km no machine goes");
   }
   return true;
 }
@@ -94,8 +94,8 @@ bool lcnTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
 bool lcnInteger(IsoContext& c, const Word& w, std::int64_t& out) {
   const double nearest = std::round(w.value);
   if (!(std::abs(w.value - nearest) <= kLcnIntegerTolerance && std::abs(nearest) < 1e9))
-    return lcnFail(c, "integer", fmt::format("Non integer value for integer: {} word", addressText(w.address)),
-                   &w);
+    return lcnFail(c, "integer",
+                   fmt::format("Non integer value for integer: {} word", addressText(w.address)), &w);
   out = static_cast<std::int64_t>(nearest);
   return true;
 }
@@ -142,8 +142,7 @@ bool lcnFeed(IsoContext& c, BlockPlan& plan, double length, double turn, const c
   style.feed = only_turns ? next.feed_number : next.feed;
   if (mode == gcode::kFeedPerTurn) {
     const double rpm = surfaceSpeedRuns(c, plan) ? surfaceMeanRpm(c, plan) : lcnRpm(c, plan);
-    if (!(rpm > 0.0))
-      return lcnFail(c, "feed", "Cannot feed with zero spindle speed in feed per rev mode");
+    if (!(rpm > 0.0)) return lcnFail(c, "feed", "Cannot feed with zero spindle speed in feed per rev mode");
     style.feed *= rpm;
   }
   if (surfaceSpeedRuns(c, plan))

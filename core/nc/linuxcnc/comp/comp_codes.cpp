@@ -21,8 +21,9 @@ bool lcnTableRadius(IsoContext& c, BlockPlan& plan) {
   plan.next.d_radius = tool > 0 ? c.registers.offsets.effective(OffsetColumn::kRadius, tool) : 0.0;
   plan.next.d_tip = tool > 0 ? c.registers.offsets.tip(tool) : 0;
   if (tool > 0 && !c.registers.offsets.given(OffsetColumn::kRadius, tool))
-    c.warnOnce(fmt::format("radius {}", tool), "offset-missing",
-               fmt::format("the tool table has no diameter of tool {0}: 0 is taken (--offset D{0}=RADIUS)", tool));
+    c.warnOnce(
+        fmt::format("radius {}", tool), "offset-missing",
+        fmt::format("the tool table has no diameter of tool {0}: 0 is taken (--offset D{0}=RADIUS)", tool));
   return true;
 }
 

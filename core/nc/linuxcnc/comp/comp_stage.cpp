@@ -98,12 +98,14 @@ bool LinuxCncCompStage::sendPiece(const ArcCornerPiece& piece) {
   if (item.function()) return pass(item);
   PathItem out = item.copyMotion();
   const Vec2 shift = std::abs(item.offset) * linuxCncTipShift(item.tip);
-  out.kind = piece.arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
+  // Around a corner in front of a rapid the tool goes straight, by rapid.
+  const bool arc = piece.arc && !(piece.kind == ArcCornerPiece::Kind::kCorner && item.rapid);
+  out.kind = arc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
   const Vec2 to = piece.to.head<2>() + shift;
   out.to[item.plane.u] = to.x();
   out.to[item.plane.v] = to.y();
   out.to[item.plane.w] = piece.to.z();
-  if (piece.arc) {
+  if (arc) {
     const Vec2 center = piece.center + shift;
     out.center = {center.x(), center.y(), piece.from.z()};
     out.start = piece.from.head<2>() + shift;

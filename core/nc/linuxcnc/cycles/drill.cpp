@@ -114,8 +114,12 @@ void lcnBore(LcnDriller& d, const LcnHole& hole) {
     case 850:
     case 890:
       d.feed(hole.z);
-      d.dwell(hole.code == 890 ? hole.p : 0.0);
-      return d.feed(hole.clear);
+      if (hole.code == 890) {
+        d.dwell(hole.p);
+        return d.feed(hole.clear);
+      }
+      d.feed(hole.r);
+      return d.rapid(hole.clear);
     case 860:
     case 880:
       d.feed(hole.z);
@@ -162,7 +166,8 @@ bool lcnCycleWords(IsoContext& c, BlockPlan& plan, int code, bool again, const W
   const Word* z = c.block.findAxis(plane.w);
   if (z != nullptr) cycle.z = axisValue(c, plan, AxisWord{.axis = plane.w}, *z);
   if (z == nullptr && !again)
-    return lcnFail(c, "cycle", fmt::format("{} value unspecified in {} plane canned cycle", "XYZ"[plane.w], in_plane));
+    return lcnFail(c, "cycle",
+                   fmt::format("{} value unspecified in {} plane canned cycle", "XYZ"[plane.w], in_plane));
   const Word* r = c.ownWord(plan, 'R');
   if (r != nullptr) cycle.r = lengthOf(plan, *r);
   if (r == nullptr && !again) return lcnFail(c, "cycle", "R clearance plane unspecified in cycle");
@@ -193,25 +198,44 @@ bool lcnCycleSpindle(IsoContext& c, const BlockPlan& plan, int code, int& direct
   std::string name = gName(code);
   if (code == 860 || code == 880) name[0] = 'g';
   if (needs && direction == 0) return lcnFail(c, "spindle-stopped", "Spindle not turning in " + name);
-  if (code == 840 && direction < 0) return lcnFail(c, "spindle-stopped", "Spindle turning counterclockwise in G84");
+  if (code == 840 && direction < 0)
+    return lcnFail(c, "spindle-stopped", "Spindle turning counterclockwise in G84");
   if (code == 740 && direction > 0) return lcnFail(c, "spindle-stopped", "Spindle turning clockwise in G74");
   return true;
 }
 
-/// I, J, K of G87.
-bool lcnBackBoreWords(IsoContext& c, BlockPlan& plan, LcnHole& hole) {
+/// I, J, K of G87. False: reported.
+bool lcnBackBoreWords(IsoContext& c, BlockPlan& plan, bool again, LcnHole& hole) {
   if (hole.code != 870) return true;
   const PlaneFrame frame(plan.next.plane());
-  c.warnOnce("g87", "version", "G87: the documentation calls it not implemented, the interpreter runs it, as here");
+  LinuxCncCycle& cycle = linuxCncChannel(c).next.cycle;
+  c.warnOnce("g87", "version",
+             "G87: the documentation calls it not implemented, the interpreter runs it, as here");
+  if (!again) cycle.back_bore.reset();
+  Vec3 ijk = cycle.back_bore.value_or(Vec3::Zero());
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
-    if (w == nullptr) return lcnFail(c, "cycle", fmt::format("{} word missing with g87", "IJK"[axis]));
-    const double value = lengthOf(plan, *w);
-    if (axis == frame.u()) hole.shift.x() = value;
-    if (axis == frame.v()) hole.shift.y() = value;
-    if (axis == frame.w()) hole.k = value;
+    if (w != nullptr) ijk[axis] = lengthOf(plan, *w);
+    if (w == nullptr && !cycle.back_bore)
+      return lcnFail(c, "cycle", fmt::format("{} word missing with g87", "IJK"[axis]));
   }
+  cycle.back_bore = ijk;
+  hole.shift = {ijk[frame.u()], ijk[frame.v()]};
+  hole.k = ijk[frame.w()];
   return true;
+}
+
+/// Words that hold keep their numbers where the units change, as the interpreter has it.
+void lcnCycleUnits(IsoContext& c, const BlockPlan& plan, LinuxCncCycle& cycle) {
+  if (plan.next.unitScale() == cycle.unit) return;
+  const double factor = plan.next.unitScale() / cycle.unit;
+  c.warnOnce(
+      "cycle units", "cycle-units",
+      "the units change inside a series of cycles: Z, R, Q and the old level keep their numbers and take "
+      "the new unit");
+  for (double* value : {&cycle.z, &cycle.r, &cycle.q, &cycle.old_level}) *value *= factor;
+  if (cycle.back_bore) *cycle.back_bore *= factor;
+  cycle.unit = plan.next.unitScale();
 }
 
 }  // namespace
@@ -230,18 +254,28 @@ bool planLcnCycle(IsoContext& c, BlockPlan& plan) {
     return planLcnNothing(c, plan);
   }
   if (!lcnCycleState(c, plan)) return false;
-  if (!series) cycle.old_level = plan.start[plane.w];
+  if (series) {
+    lcnCycleUnits(c, plan, cycle);
+  } else {
+    cycle.old_level = plan.start[plane.w];
+    cycle.unit = plan.next.unitScale();
+  }
+  if ((code == 740 || code == 840) && plan.next.active[kGroupPlane] != gcode::kPlaneXY)
+    return lcnFail(
+        c, "cycle-plane",
+        fmt::format("{} outside of G17: LinuxCNC 2.9 taps along swapped axes there and leads the tool "
+                    "astray; tap in G17",
+                    gName(code)));
   std::int64_t repeats = 1;
   const Word* l = c.ownWord(plan, 'L');
   if (l != nullptr && !lcnInteger(c, *l, repeats)) return false;
   if (repeats < 1)
-    return lcnFail(c, "cycle",
-                   repeats == 0 ? "Cannot do zero repeats of cycle" : "Negative l word used", l);
+    return lcnFail(c, "cycle", repeats == 0 ? "Cannot do zero repeats of cycle" : "Negative l word used", l);
   LcnHole hole;
   hole.code = code;
   int direction = 0;
   if (!lcnTarget(c, plan, plan.motion.target) || !lcnCycleWords(c, plan, code, again, plane) ||
-      !lcnBackBoreWords(c, plan, hole) || !lcnCycleSpindle(c, plan, code, direction))
+      !lcnBackBoreWords(c, plan, again, hole) || !lcnCycleSpindle(c, plan, code, direction))
     return false;
   const bool step = plan.next.incremental();
   hole.r = step ? cycle.old_level + cycle.r : cycle.r;
@@ -251,8 +285,7 @@ bool planLcnCycle(IsoContext& c, BlockPlan& plan) {
   hole.p = cycle.p;
   const double old_level = std::max(cycle.old_level, hole.r);
   hole.clear = plan.next.active[kGroupReturn] == gcode::kReturnToR ? hole.r : old_level;
-  if (hole.r < hole.z)
-    return lcnFail(c, "cycle", fmt::format("R less than {} in cycle", "xyz"[plane.w]));
+  if (hole.r < hole.z) return lcnFail(c, "cycle", fmt::format("R less than {} in cycle", "xyz"[plane.w]));
   const double pecks = hole.q > 0.0 ? (hole.r - hole.z) / hole.q : 1.0;
   if (!(pecks * static_cast<double>(repeats) <= kLcnMostSteps))
     return c.alarm(SharedAlarm::kOutOfRange, l != nullptr ? "L" : "Q",
@@ -267,7 +300,7 @@ bool planLcnCycle(IsoContext& c, BlockPlan& plan) {
       at[axis] = step ? at[axis] + plan.motion.target[axis] - plan.start[axis] : plan.motion.target[axis];
     }
     // A new R above the tool is reached on the way to the hole.
-    at[plane.w] = std::max(driller.level(), hole.r);
+    at[plane.w] = driller.level() < hole.r ? hole.clear : driller.level();
     driller.over(at);
     driller.rapid(hole.r);
     lcnBore(driller, hole);

@@ -61,6 +61,10 @@ WorkSystemId linuxCncSystem(int number) { return number <= 6 ? number : kFirstEx
 
 void applyLinuxCncFrames(IsoContext& c, const BlockPlan& plan) {
   LinuxCncChannel& own = linuxCncChannel(c);
+  if (own.stores_home != 0) {
+    (own.stores_home == 281 ? own.home28 : own.home30) = c.machine;
+    own.homes_known = true;
+  }
   if (!own.pending) return;
   WorkFrames& frames = c.registers.frames;
   const LinuxCncFrames change = *own.pending;
@@ -177,39 +181,30 @@ bool planLcnHome(IsoContext& c, BlockPlan& plan) {
     return lcnFail(c, "comp", "Cannot use g28 or g30 with cutter radius compensation on");
   if (!lcnTarget(c, plan, plan.motion.target)) return false;
   const AxisPoint& home = plan.governor->code10 == gcode::kReference ? own.home28 : own.home30;
-  AxisPoint to = plan.chain->machineOf(plan.motion.target);
+  const AxisPoint stored = plan.chain->programOf(home);
+  AxisPoint to = plan.motion.target;
   using Kind = LinuxCncStep::Kind;
   if (lcnAnyAxis(c)) own.steps.push_back({.kind = Kind::kRapid, .to = plan.motion.target});
   for (int axis = 0; axis < c.axes.count(); ++axis) {
-    if (!lcnAnyAxis(c) || plan.motion.named[static_cast<std::size_t>(axis)]) to[axis] = home[axis];
+    if (!lcnAnyAxis(c) || plan.motion.named[static_cast<std::size_t>(axis)]) to[axis] = stored[axis];
   }
-  own.steps.push_back({.kind = Kind::kMachineRapid, .to = to});
+  own.steps.push_back({.kind = Kind::kMachineRapid, .to = plan.chain->machineOf(to)});
   if (!own.homes_known)
-    c.warnOnce("home", "machine-zero",
-               "G28, G30: neither the program (G28.1, G30.1) nor the job ([machine] reference_points, the .var "
-               "file) says where this place is: machine zero is taken",
-               {});
+    c.warnOnce(
+        "home", "machine-zero",
+        "G28, G30: neither the program (G28.1, G30.1) nor the job ([machine] reference_points, the .var "
+        "file) says where this place is: machine zero is taken",
+        {});
   plan.perform = performLinuxCncSteps;
   plan.rebases = true;
   plan.motion.rapid = true;
   return true;
 }
 
-namespace {
-
-bool performLcnStoreHome(IsoContext& c, BlockPlan& plan) {
-  LinuxCncChannel& own = linuxCncChannel(c);
-  (plan.by_group[kOneShot]->code10 == 281 ? own.home28 : own.home30) = c.machine;
-  own.homes_known = true;
-  return performLinuxCncSteps(c, plan);
-}
-
-}  // namespace
-
 bool planLcnStoreHome(IsoContext& c, BlockPlan& plan) {
   if (plan.by_group[kGroupMotion] != nullptr && lcnAnyAxis(c))
     return lcnFail(c, "axis-words", "G28.1 and G30.1 stand in a line of their own here");
-  plan.perform = performLcnStoreHome;
+  linuxCncChannel(c).stores_home = plan.by_group[kOneShot]->code10;
   return true;
 }
 

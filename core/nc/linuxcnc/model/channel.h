@@ -40,14 +40,16 @@ struct LinuxCncStep {
 /// Words that hold while the same cycle code repeats. Lengths as programmed, in mm.
 struct LinuxCncCycle {
   double z = 0.0, r = 0.0;
-  double q = 0.0, p = 0.0;  ///< 0: not given
-  double old_level = 0.0;   ///< of the drill axis before the first cycle of the series
+  double q = 0.0, p = 0.0;        ///< 0: not given
+  double unit = 1.0;              ///< mm of the units that these were given in
+  std::optional<Vec3> back_bore;  ///< I, J, K of G87
+  double old_level = 0.0;         ///< of the drill axis before the first cycle of the series
 };
 
 /// Modal data that the family has not.
 struct LinuxCncModal {
-  double feed = 0.0;          ///< F in mm (a minute, or a turn), by the units of its line
-  double feed_number = 0.0;   ///< F as written: degrees of motions of rotary axes alone, 1/min in G93
+  double feed = 0.0;            ///< F in mm (a minute, or a turn), by the units of its line
+  double feed_number = 0.0;     ///< F as written: degrees of motions of rotary axes alone, 1/min in G93
   bool dynamic_radius = false;  ///< compensation by G41.1, G42.1
   bool arc_after_comp = true;   ///< false: compensation ended and nothing moved since
   LinuxCncCycle cycle;
@@ -78,7 +80,7 @@ struct LinuxCncFrames {
 
 /// What G10 L0, L1, L10, L11 sets.
 struct LinuxCncToolData {
-  int row = 0;  ///< 0: the table is read anew
+  int row = 0;                                  ///< 0: the table is read anew
   std::array<std::optional<double>, 3> offset;  ///< mm
   std::optional<double> radius, front, back;    ///< mm, degrees
   std::optional<int> tip;
@@ -91,6 +93,7 @@ class LinuxCncChannel final : public MakerData {
   void begin() {
     steps.clear();
     pending.reset();
+    stores_home = 0;
     next = modal;
   }
 
@@ -99,13 +102,14 @@ class LinuxCncChannel final : public MakerData {
   std::vector<LinuxCncStep> steps;
   LinuxCncNurbs nurbs;
   std::optional<LinuxCncFrames> pending;  ///< planned by the block in hand
+  int stores_home = 0;                    ///< 281, 301: the block in hand is G28.1, G30.1
   LinuxCncToolData tool_data;
-  AxisPoint home28, home30;  ///< of G28 and G30, machine coordinates
-  bool homes_known = false;  ///< somebody said where they are
-  AxisPoint shift;           ///< of G92 and G52 as #5211 keeps it, program coordinates
-  bool shift_on = false;     ///< #5210
-  AxisPoint probe_at;        ///< of the last probing move, program coordinates: #5061 ..
-  bool probe_met = false;    ///< #5070
+  AxisPoint home28, home30;                     ///< of G28 and G30, machine coordinates
+  bool homes_known = false;                     ///< somebody said where they are
+  AxisPoint shift;                              ///< of G92 and G52 as #5211 keeps it, program coordinates
+  bool shift_on = false;                        ///< #5210
+  AxisPoint probe_at;                           ///< of the last probing move, program coordinates: #5061 ..
+  bool probe_met = false;                       ///< #5070
   std::map<int, std::array<double, 2>> angles;  ///< front and back angle by tool, degrees
   LinuxCncCompStage comp;
 };

@@ -9,9 +9,9 @@
 namespace proveout::nc {
 namespace {
 
-constexpr double kLcnRadiusShare = 1e-3;          ///< of the larger radius that both may differ by
-constexpr double kLcnReachMm = 0.00127;           ///< an arc by radius may miss half its chord by so much
-constexpr double kLcnTinyShare = 1e-7;            ///< nearer than this a chord is a diameter
+constexpr double kLcnRadiusShare = 1e-3;  ///< of the larger radius that both may differ by
+constexpr double kLcnReachMm = 0.00127;   ///< an arc by radius may miss half its chord by so much
+constexpr double kLcnTinyShare = 1e-7;    ///< nearer than this a chord is a diameter
 constexpr double kLcnMostTurns = 10000.0, kLcnMostOfSpirals = 1000.0;
 
 struct LcnArc {
@@ -42,8 +42,7 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
   const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
   const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
   const double tolerance = c.parameters[LinuxCncParam::kArcTolerance] * std::sqrt(2.0);
-  if (difference > 100.0 * tolerance ||
-      (difference > tolerance && difference > kLcnRadiusShare * larger)) {
+  if (difference > 100.0 * tolerance || (difference > tolerance && difference > kLcnRadiusShare * larger)) {
     return lcnFail(c, "arc-radius",
                    fmt::format("Radius to end of arc differs from radius to start: {:.6g} and {:.6g} mm, by "
                                "{:.4g} mm or {:.3g} %",
@@ -59,10 +58,11 @@ bool lcnRadius(IsoContext& c, const BlockPlan& plan, const Word& r, LcnArc& arc)
   const double half = 0.5 * chord.norm();
   if (!(half > 0.0)) return lcnFail(c, "arc-end", "Current point same as end point of arc", &r);
   if (half - radius > kLcnReachMm)
-    return lcnFail(c, "arc-reach",
-                   fmt::format("Arc radius too small to reach end point: R is {:.6g} mm, half of the chord {:.6g}",
-                               radius, half),
-                   &r);
+    return lcnFail(
+        c, "arc-reach",
+        fmt::format("Arc radius too small to reach end point: R is {:.6g} mm, half of the chord {:.6g}",
+                    radius, half),
+        &r);
   const double height =
       half / radius > 1.0 - kLcnTinyShare ? 0.0 : std::sqrt(std::max(0.0, radius * radius - half * half));
   const double side = arc.ccw == (r.value > 0.0) ? 1.0 : -1.0;
@@ -94,8 +94,9 @@ bool planLcnArc(IsoContext& c, BlockPlan& plan) {
   if (!lcnTarget(c, plan, plan.motion.target)) return false;
   if (r != nullptr && ijk) return lcnFail(c, "arc-form", "Mixed radius ijk format for arc", r);
   if (r == nullptr && !ijk) return lcnFail(c, "arc-form", "R i j k words all missing for arc");
-  if (lcnCompOn(c, plan) == false && !own.modal.arc_after_comp)
-    return lcnFail(c, "comp", "Cannot use an arc right behind cutter radius compensation: program G0 or G1 first");
+  if (!plan.next.compOn() && !own.next.arc_after_comp)
+    return lcnFail(c, "comp",
+                   "The move just after exiting cutter compensation mode must be straight, not an arc");
   const WorkPlane plane = plan.next.workPlane();
   LcnArc arc;
   arc.start = plane.of(plan.start).head<2>();

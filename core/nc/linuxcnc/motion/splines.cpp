@@ -122,8 +122,8 @@ void lcnBeginPoint(LinuxCncNurbs& curve, bool open) {
   curve.added_order = open ? 0 : 3;
 }
 
-bool lcnCurve(IsoContext& c, BlockPlan& plan, const std::vector<Vec3>& points, const std::vector<double>& knots,
-              int order, const char* code) {
+bool lcnCurve(IsoContext& c, BlockPlan& plan, const std::vector<Vec3>& points,
+              const std::vector<double>& knots, int order, const char* code) {
   std::vector<Vec2> chords;
   if (!appendNurbs(points, knots, order, kLcnChordMm, chords))
     return lcnFail(c, "spline", "the knots of the curve must not fall, and must not all be the same");
@@ -169,10 +169,11 @@ bool planLcnNurbsEnd(IsoContext& c, BlockPlan& plan) {
   const LinuxCncNurbs& curve = own.nurbs;
   if (own.modal.nurbs != 1) return lcnFail(c, "spline", "Cannot use G5.3 without G5.2 first");
   if (curve.points.size() < static_cast<std::size_t>(curve.order))
-    return lcnFail(c, "spline",
-                   fmt::format("You must specify a number of control points at least equal to the order L = {}: "
-                               "there are {}",
-                               curve.order, curve.points.size()));
+    return lcnFail(
+        c, "spline",
+        fmt::format("You must specify a number of control points at least equal to the order L = {}: "
+                    "there are {}",
+                    curve.order, curve.points.size()));
   return lcnCurve(c, plan, curve.points, uniformKnots(curve.points.size(), curve.order), curve.order, "g5.3");
 }
 
@@ -182,7 +183,8 @@ bool planLcnKnots(IsoContext& c, BlockPlan& plan) {
   if (!lcnSplineState(c, plan, "g6.2")) return false;
   const bool open = own.modal.nurbs == 2;
   if (!open)
-    c.warnOnce("g6.2", "version", "G6.2 is of versions of LinuxCNC behind 2.9: it runs as the exact curve here");
+    c.warnOnce("g6.2", "version",
+               "G6.2 is of versions of LinuxCNC behind 2.9: it runs as the exact curve here");
   lcnBeginPoint(curve, open);
   Vec2 at;
   if (!lcnControlPoint(c, plan, own, open, at)) return false;
@@ -200,7 +202,8 @@ bool planLcnKnots(IsoContext& c, BlockPlan& plan) {
   }
   if (lcnAnyAxis(c)) {
     const Word* r = c.ownWord(plan, 'R');
-    if (r != nullptr && !(r->value > 0.0)) return lcnFail(c, "spline", "R of G6.2, a weight, must be above 0", r);
+    if (r != nullptr && !(r->value > 0.0))
+      return lcnFail(c, "spline", "R of G6.2, a weight, must be above 0", r);
     if (open && curve.points.size() >= kLcnMostPoints)
       return c.alarm(SharedAlarm::kOutOfRange, "G6.2", "more than 100000 control points");
     curve.added.push_back({at.x(), at.y(), r == nullptr ? 1.0 : r->value});

@@ -13,8 +13,7 @@ bool lcnMachineWords(IsoContext& c, const BlockPlan& plan) {
   const int motion = plan.next.active[kGroupMotion];
   if (motion != gcode::kRapid && motion != gcode::kLine)
     return lcnFail(c, "machine-move", "Must use g0 or g1 with g53");
-  if (lcnCompOn(c, plan))
-    return lcnFail(c, "comp", "Cannot use g53 with cutter radius compensation on");
+  if (lcnCompOn(c, plan)) return lcnFail(c, "comp", "Cannot use g53 with cutter radius compensation on");
   if (plan.next.incremental()) return lcnFail(c, "machine-move", "Cannot use g53 incremental");
   return true;
 }
@@ -23,7 +22,8 @@ bool lcnMachineWords(IsoContext& c, const BlockPlan& plan) {
 bool lcnSynchronous(IsoContext& c, BlockPlan& plan, const char* code, double& lead) {
   const Word* k = c.ownWord(plan, 'K');
   if (k == nullptr) return lcnFail(c, "thread", fmt::format("K word missing with {}", code));
-  if (plan.next.compOn()) return lcnFail(c, "comp", fmt::format("Cannot use {} with cutter radius compensation on", code));
+  if (plan.next.compOn())
+    return lcnFail(c, "comp", fmt::format("Cannot use {} with cutter radius compensation on", code));
   lead = lengthOf(plan, *k);
   if (!(lead > 0.0)) return lcnFail(c, "thread", fmt::format("K of {} must be above 0", code), k);
   return true;
@@ -80,10 +80,10 @@ bool planLcnThread(IsoContext& c, BlockPlan& plan) {
   plan.perform = performLinuxCncSteps;
   plan.motion.feed.join = joinOf(plan);
   if (!lcnSpindleTurns(c, plan))
-    c.warnOnce("g33 spindle", "spindle-stopped", "G33 waits for the spindle, and it stands still: program M3 before");
-  linuxCncChannel(c).steps.push_back({.kind = LinuxCncStep::Kind::kThread,
-                                      .to = plan.motion.target,
-                                      .value = lead * lcnThreadRpm(c, plan)});
+    c.warnOnce("g33 spindle", "spindle-stopped",
+               "G33 waits for the spindle, and it stands still: program M3 before");
+  linuxCncChannel(c).steps.push_back(
+      {.kind = LinuxCncStep::Kind::kThread, .to = plan.motion.target, .value = lead * lcnThreadRpm(c, plan)});
   plan.next.axes.thread_lead = lead;
   return true;
 }

@@ -18,8 +18,8 @@ const ParameterTable& linuxCncParameters() {
              choice("units", kNoNumber, 0, "mm inch", "of the machine: tool table, parameters 5161 to 5390"))
         .add(LinuxCncParam::kLathe, bit("lathe", kNoNumber, kNamedBit, kChannel, 0, "starts in G18 and G8"))
         .add(LinuxCncParam::kArcTolerance,
-             real("arc_tolerance", kNoNumber, kNamedBit, kChannel, 0.02,
-                  "mm, CENTER_ARC_RADIUS_TOLERANCE: times the root of 2 the radii of an arc may differ"))
+             number("arc_tolerance", kNoNumber, kChannel, 0.02, 0.0, 10.0,
+                    "mm, CENTER_ARC_RADIUS_TOLERANCE: times the root of 2 the radii of an arc may differ"))
         .fix(CycleParam::kChipBreakReturn, kPeckRise)
         .fix(CycleParam::kPeckClearance, kPeckRise);
     return table;

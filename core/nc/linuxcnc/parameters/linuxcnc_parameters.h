@@ -9,9 +9,9 @@ namespace proveout::nc {
 
 /// Settings that only this control has.
 enum class LinuxCncParam : std::uint16_t {
-  kFlavour,  ///< 0 LinuxCNC, 1 GRBL, 2 Mach3, 3 PathPilot, 4 Smoothie, 5 grblHAL
-  kUnits,    ///< of the machine: 0 mm, 1 inch
-  kLathe,    ///< starts in G18 G8
+  kFlavour,       ///< 0 LinuxCNC, 1 GRBL, 2 Mach3, 3 PathPilot, 4 Smoothie, 5 grblHAL
+  kUnits,         ///< of the machine: 0 mm, 1 inch
+  kLathe,         ///< starts in G18 G8
   kArcTolerance,  ///< mm; times the root of 2: what the radii of an arc may differ by
   kCount
 };
