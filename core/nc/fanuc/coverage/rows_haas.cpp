@@ -37,7 +37,7 @@ constexpr auto kHaasRowsList = std::to_array<CoverageIdRow>({
     {"haas-18-G103", "HOST", "done", "tests/unit/nc/fanuc/haas_test.cpp"},
     {"haas-18-G187", "TIME", "done", "tests/unit/nc/fanuc/haas_test.cpp"},
     {"haas-18-G141", "SIM", "done", "tests/unit/nc/fanuc/haas_test.cpp"},
-    {"haas-18-G143", "SIM", "missing", ""},
+    {"haas-18-G143", "SIM", "done", "tests/unit/nc/fanuc/haas_test.cpp"},
     {"haas-18-G136", "REJECT", "done", "tests/unit/nc/fanuc/haas_test.cpp"},
     {"haas-18-G107", "SIM", "missing", ""},
     {"haas-18-offsets", "SIM", "missing", ""},

@@ -29,6 +29,11 @@ bool refuseHaasInput(IsoContext& c, BlockPlan& plan);
 /// IsoDialect::work_system: G154 P1 to P99, and G110 to G129 for P1 to P20.
 bool haasWorkSystem(IsoContext& c, BlockPlan& plan, const GCode& code, int& id);
 
+/// G254: the zero of the work system goes with the rotary tables, from where it was measured with them at the
+/// system's own angles; the coordinates do not turn. G255: no longer. Without a table in the job's machine an
+/// error.
+bool planHaasDynamicOffset(IsoContext& c, BlockPlan& plan);
+
 // haas_patterns.cpp
 /// G70 I J L: L holes on a circle of radius I, the first at J degrees. G71 I J K L: the same, K degrees
 /// apart. G72 I J L: on a line at J degrees, I apart, the first at the start.

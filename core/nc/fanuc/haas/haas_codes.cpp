@@ -211,6 +211,45 @@ bool planHaasLocalFrame(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+namespace {
+
+/// Row of the dynamic zeros (G54.2 P of the shared rules) that G254 uses.
+constexpr int kDynamicRow = 8;
+
+bool performDynamicOffset254(IsoContext& c, BlockPlan& plan) {
+  const FrameChange& change = std::get<FrameChange>(plan.payload);
+  if (plan.next.five.dynamic_zero > 0) c.registers.dynamic_zeros[kDynamicRow - 1] = change.system.offset;
+  c.chain = c.chainOf(plan.next);
+  c.position = c.chain.programOf(c.machine);
+  return true;
+}
+
+}  // namespace
+
+bool planHaasDynamicOffset(IsoContext& c, BlockPlan& plan) {
+  constexpr int kOn = 2540;
+  const bool on = plan.governor->code10 == kOn;
+  if (on && !c.five_axes.hasTable()) {
+    return c.fail("machine-data",
+                  "G254 needs a rotary table, and the machine of this job has none ([[machine.axis]])");
+  }
+  plan.motion.target = plan.start;
+  plan.next.five.dynamic_zero = on ? kDynamicRow : 0;
+  FrameChange& change = plan.payload.emplace<FrameChange>();
+  if (on) {
+    const WorkSystem common = c.registers.frames.system(0);
+    const WorkSystem work = c.registers.frames.system(plan.next.work_system);
+    AxisPoint& row = change.system.offset;
+    for (std::size_t k = 0; k < row.more.size(); ++k)
+      row.more[k] = common.offset.more[k] + work.offset.more[k];
+    const RotaryAngles measured = c.five_axes.at(row);
+    row.xyz = common.offset.xyz + work.offset.xyz - c.five_axes.dynamicZero(measured, Vec3::Zero(), measured);
+  }
+  plan.perform = performDynamicOffset254;
+  plan.rebases = true;
+  return true;
+}
+
 bool planHaasMirror(IsoContext& c, BlockPlan& plan) {
   AxisSet axes;
   if (!namedAxes(c, plan, "G101", axes)) return false;

@@ -76,14 +76,16 @@ constexpr auto kHaasTableG = std::to_array<GCode>({
     refused(1360, kOneShot, kReject, "haas-18-G136", "measuring of a work offset"),
     action(1410, kGroupRadiusComp, kSim, "XYZIJK", planHaasSpaceComp, true, "haas-18-G141",
            "compensation along a vector"),
-    refused(1430, kGroupLengthComp, kSim, "haas-18-G143", "length compensation of five axes"),
+    writtenAs(1430, modal(gcode::kLengthAlongTool, kGroupLengthComp, kSim, "haas-18-G143",
+                          "length compensation along the tool", {}, true)),
     action(1500, kOneShot, kSim, "XYZPRQIJKDF", planHaasOutlinePocket, true, "haas-18-G150",
            "pocket of any outline"),
     modal(1540, kGroupWorkSystem, kSim, "haas-18-G154", "additional work systems", "P", true),
     action(1870, kOneShot, kTime, "PE", planHaasNoted, false, "haas-18-G187", "smoothness"),
-    refused(2340, kGroupLengthComp, kSim, "haas-18-G143", "tool centre point control"),
-    refused(2540, kOneShot, kSim, "haas-18-G143", "dynamic work offset"),
-    refused(2550, kOneShot, kSim, "haas-18-G143", "dynamic work offset off"),
+    writtenAs(2340, modal(gcode::kTipByAngles, kGroupLengthComp, kSim, "haas-18-G143",
+                          "tool centre point control", {}, true)),
+    action(2540, kOneShot, kSim, {}, planHaasDynamicOffset, true, "haas-18-G143", "dynamic work offset"),
+    action(2550, kOneShot, kSim, {}, planHaasDynamicOffset, true, "haas-18-G143", "dynamic work offset off"),
 });
 
 constexpr auto kHaasTableM = std::to_array<MCode>({

@@ -1,6 +1,7 @@
 // Haas mills: what section 18 of the specification has otherwise than Fanuc-like mills.
 #include <gtest/gtest.h>
 
+#include "tests/support/five_axis_runs.h"
 #include "tests/unit/nc/iso_run.h"
 
 namespace proveout::test {
@@ -149,9 +150,10 @@ INSTANTIATE_TEST_SUITE_P(
         // haas-18-G136
         HaasFault{"G136", "G136 B1 C2", "fanuc-010"}, HaasFault{"G35", "G35 R1. Z-1.", "fanuc-010"},
         HaasFault{"G37", "G37 Z-1.", "fanuc-010"},
-        // haas-18-G143
-        HaasFault{"G143", "G143 H1", "fanuc-010"}, HaasFault{"G234", "G234 H1", "fanuc-010"},
-        HaasFault{"G254", "G254", "fanuc-010"}, HaasFault{"G154Missing", "G154", "fanuc-missing-data"},
+        // haas-18-G143: without a rotary axis
+        HaasFault{"G143", "G143 H1", "fanuc-machine-data"},
+        HaasFault{"G234", "G234 H1", "fanuc-machine-data"}, HaasFault{"G254", "G254", "fanuc-machine-data"},
+        HaasFault{"G154Missing", "G154", "fanuc-missing-data"},
         HaasFault{"G154Range", "G154 P100", "fanuc-003"}, HaasFault{"M97Missing", "M97 P5", "fanuc-078"},
         HaasFault{"PatternAlone", "G70 I5. L3", "fanuc-pattern-no-cycle"},
         HaasFault{"PatternNoCount", "G81 Z-1. R0 L0\nG70 I5.", "fanuc-missing-data"},
@@ -209,6 +211,37 @@ TEST(HaasMill, LocalFrameByItself) {
 TEST(HaasMill, CylinderIsKnown) {
   const IsoRun run = haas("G107 A10.");
   EXPECT_NE(run.error(), "fanuc-010");
+}
+
+/// On a machine of the tests: H1 = 100, its zero and the tool's length as in those of five axes.
+IsoRun onMachine(const MachineModel& machine, const Vec3& zero, const std::string& text) {
+  ControlSettings settings = settingsOf(machine, zero);
+  settings.parameters["flavour"] = 1;
+  return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100.\n" + text + "\nM30\n", settings};
+}
+
+// haas-18-G143: the tip holds its place while a head turns
+TEST(HaasFiveAxes, TipStaysWhileTheHeadTurns) {
+  for (const char* code : {"G143", "G234"}) {
+    const IsoRun run =
+        onMachine(machineCA(), Vec3::Zero(),
+                  std::string("G54 G49 G0 X0 Y0 Z100. A0 C0\n") + code + " Z100. H1\nG1 A45. F100.");
+    EXPECT_EQ(run.error(), "") << run.message();
+    EXPECT_LT((run.end() - Vec3(0, 0, 100)).norm(), 1e-4) << code;
+  }
+}
+
+// haas-18-G143: X0 Y0 Z0 is the workpiece's zero wherever the tables stand
+TEST(HaasFiveAxes, ZeroGoesWithTheTables) {
+  const Vec3 zero(420, 310, -440);
+  const auto end = [&](const std::string& text) { return onMachine(trunnion('A'), zero, text).end(); };
+  EXPECT_LT(end("G43 H1\nG254\nG0 A40. C70.\nX0 Y0 Z0").norm(), 1e-6);
+  EXPECT_LT(end("G43 H1\nG0 A40. C70.\nG254\nX0 Y0 Z0").norm(), 1e-6);
+  EXPECT_GT(end("G43 H1\nG0 A40. C70.\nX0 Y0 Z0").norm(), 1.0);
+  EXPECT_GT(end("G43 H1\nG254\nG0 A40. C70.\nG255\nX0 Y0 Z0").norm(), 1.0);
+  // The coordinates stay those of the machine: 10 above the zero is along the tool.
+  EXPECT_NEAR(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").norm(), 10.0, 1e-6);
+  EXPECT_NEAR(std::abs(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").y()), 10.0, 1e-6);
 }
 
 // haas-18-Ropt haas-18-L
