@@ -100,10 +100,15 @@ std::vector<fs::path> FileProgramSource::systemFolders(int channel) const {
 
 FileProgramSource::Found FileProgramSource::findByStem(const std::string& caller,
                                                        const std::string& stem) const {
+  return findWithExtension(caller, stem, fs::path(caller).extension().string());
+}
+
+FileProgramSource::Found FileProgramSource::findWithExtension(const std::string& caller,
+                                                              const std::string& stem,
+                                                              const std::string& extension) const {
   // A stem comes from the text of a program: it must not lead out of the folders.
   if (stem.empty() || stem.find('/') != std::string::npos) return {};
   const fs::path caller_path(caller);
-  const std::string extension = caller_path.extension().string();
   if (const auto found = findName(filesOf(caller_path.parent_path()), stem + extension))
     return {found->string()};
   for (const std::string& place : places_) {
@@ -170,6 +175,10 @@ FileProgramSource::Found FileProgramSource::find(const SubprogramQuery& query) c
     Found found =
         query.system_channel > 0 ? findSystem(stem, query.system_channel) : findByStem(callerOf(query), stem);
     if (!found.path.empty()) return found;
+    for (const std::string& ending : query.extensions) {
+      found = findWithExtension(callerOf(query), stem, ending);
+      if (!found.path.empty()) return found;
+    }
   }
   return query.path.empty() ? Found{} : findByPath(callerOf(query), query.path);
 }
@@ -202,6 +211,10 @@ Error FileProgramSource::missing(const SubprogramQuery& query, const std::string
     return inputError(
         fmt::format("there is no system program {}{} beside the main program or in the job's folders",
                     systemFolder(query.system_channel), query.stems.front()));
+  }
+  if (!query.extensions.empty() && !query.stems.empty()) {
+    return noneOf(query, fmt::format("{}{}", folderName(fs::path(caller).parent_path()),
+                                     places_.empty() ? "" : fmt::format(", {}", fmt::join(places_, ", "))));
   }
   const std::string what =
       query.stems.empty() ? query.path : query.stems.front() + fs::path(caller).extension().string();

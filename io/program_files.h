@@ -51,6 +51,8 @@ class FileProgramSource : public ProgramSource {
   }
   Found find(const SubprogramQuery& query) const;
   Found findByStem(const std::string& caller, const std::string& stem) const;
+  Found findWithExtension(const std::string& caller, const std::string& stem,
+                          const std::string& extension) const;
   Found findSystem(const std::string& stem, int channel) const;
   Found findByPath(const std::string& caller, const std::string& path) const;
   std::vector<std::filesystem::path> filesAt(const std::string& place) const;

@@ -27,6 +27,16 @@ std::string_view lastPart(std::string_view path) {
 
 }  // namespace
 
+Error noneOf(const SubprogramQuery& query, const std::string& where) {
+  std::string names, endings;
+  for (const std::string& stem : query.stems) names += (names.empty() ? "" : ", ") + stem;
+  for (const std::string& ending : query.extensions) {
+    if (!ending.empty()) endings += (endings.empty() ? "" : " ") + ending;
+  }
+  return inputError("neither this file nor " + where + " have it; names looked for: " + names +
+                    ", alone and with " + endings);
+}
+
 std::string systemFolder(int channel) {
   return channel > 0 ? "SystemMacros/Channel" + std::to_string(channel) + "/" : std::string();
 }
@@ -50,6 +60,7 @@ Result<ProgramText> MemoryProgramSource::subprogram(const SubprogramQuery& query
   for (const ProgramText& text : subprograms_) {
     if (!query.path.empty() && lowered(text.name) == lowered(lastPart(query.path))) return text;
   }
+  if (!query.extensions.empty() && !query.stems.empty()) return noneOf(query, "the programs given");
   const std::string what = query.stems.empty() ? query.path : folder + query.stems.front();
   return inputError("program " + what + " is not among the programs given");
 }

@@ -6,9 +6,10 @@
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
 #include "core/nc/fanuc/haas/haas.h"
+#include "core/nc/fanuc/macro/macro_rules.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
+#include "core/nc/fanuc/system_variables/fanuc_banks.h"
 #include "core/nc/fanuc/tables/tables.h"
-#include "core/nc/iso/system_variables/all_banks.h"
 
 namespace proveout::nc {
 namespace {
@@ -17,6 +18,7 @@ LexRules fanucLexing() {
   LexRules rules;
   rules.keep_repeats = true;
   rules.incremental_operator = false;
+  rules.names_variables = true;
   return rules;
 }
 
@@ -28,7 +30,7 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increme
   rules.last_of_group = true;
   rules.keeps_return_level = true;
   rules.motion_or_cycle = true;
-  return {
+  IsoDialect dialect{
       .name = name,
       .alarms = fanucAlarms(),
       .codes = codes,
@@ -40,8 +42,9 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increme
       .layout = ProgramLayout::kSeveralInAFile,
       .rules = rules,
       .check_block = followRigidTap,
-      .system_variables = allBanks,
   };
+  takeMacroRules(dialect, name == "fanuc-lathe");
+  return dialect;
 }
 
 /// The flavour of Haas.
@@ -84,15 +87,16 @@ const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings
   static const IsoDialect kIncrement = dialectOf("fanuc-mill", fanucMillCodes(), true);
   static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes(), false));
   static const IsoDialect kHaasIncrement = haasOf(dialectOf("fanuc-mill", haasMillCodes(), true));
+  const bool increment = chosen(settings, FanucParam::kDecimal);
   if (chosen(settings, FanucParam::kFlavour))
-    return chosen(settings, FanucParam::kDecimal) ? kHaasIncrement : kHaas;
-  return chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator;
+    return macroVariant(increment ? kHaasIncrement : kHaas, settings);
+  return macroVariant(increment ? kIncrement : kCalculator, settings);
 }
 
 const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& settings) {
   static const IsoDialect kCalculator = dialectOf("fanuc-lathe", fanucLatheCodes(), false);
   static const IsoDialect kIncrement = dialectOf("fanuc-lathe", fanucLatheCodes(), true);
-  return chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator;
+  return macroVariant(chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator, settings);
 }
 
 }  // namespace proveout::nc

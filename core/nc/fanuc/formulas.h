@@ -5,6 +5,7 @@
 
 namespace proveout::nc {
 
-const FormulaLanguage& fanucFormulas();
+/// `signed_angles`: arc functions give -180 to 180 degrees (6004#0 NAT 1), else 0 to 360.
+const FormulaLanguage& fanucFormulas(bool signed_angles = false);
 
 }  // namespace proveout::nc

@@ -3,6 +3,14 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/dialect.cpp
   nc/fanuc/fanuc_row.cpp
   nc/fanuc/formulas.cpp
+  nc/fanuc/macro/arguments.cpp
+  nc/fanuc/macro/macro_functions.cpp
+  nc/fanuc/macro/macro_rules.cpp
+  nc/fanuc/macro/subprograms.cpp
+  nc/fanuc/parameters/macro_rows.cpp
+  nc/fanuc/system_variables/common_bank.cpp
+  nc/fanuc/system_variables/fanuc_banks.cpp
+  nc/fanuc/system_variables/offset_numbers.cpp
   nc/fanuc/coverage/rows.cpp
   nc/fanuc/coverage/rows_cycles.cpp
   nc/fanuc/coverage/rows_haas.cpp

@@ -30,6 +30,7 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   }
 
   bool in_assignment = false;       ///< PRM may stand here
+  double steps = 1.0;               ///< of a unit, to which ROUND rounds
   double distance = 0.0;            ///< of the sides of the last relation; NaN where one was vacant
   ValueOrigins* origins = nullptr;  ///< of what assignment() writes; null: not wanted
 
@@ -40,7 +41,8 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   // What the parser asks.
   bool fail(const FormulaFault& fault);
   bool variable(Value& out);
-  bool special(int which, const FormulaFunction& /*name*/, Value& out) {
+  bool special(int which, const FormulaFunction& name, Value& out) {
+    if (which == kMacroRound) return rounded(name, out);
     return which == kMacroAxisNumber ? axisNumber(out) : parameter(out);
   }
   bool otherName(Value& out);
@@ -52,6 +54,8 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   bool parameter(Value& out);
   bool parameterArgument(int missing, int& out);
   bool symbol(int& number);
+  bool namedVariable(int& number, bool& found);
+  bool rounded(const FormulaFunction& name, Value& out);
   bool wholeNumber(const Value& value, std::size_t begin, int& out);
   bool accessed(VariableStatus status, int number, std::size_t begin);
 
@@ -65,6 +69,9 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   bool syntax(std::string_view detail, std::size_t begin) {
     return alarm(SharedAlarm::kSyntax, {}, detail, begin);
   }
+  bool tooDeep(std::size_t begin) {
+    return alarm(SharedAlarm::kFormulaDepth, {}, "the formula is nested too deep", begin);
+  }
   /// A bracket that should stand at pos(); the text may end there.
   bool noBracket(std::string_view detail, std::size_t begin) {
     return i >= text_.size() ? alarm(SharedAlarm::kRightBracket, {}, {}, begin) : syntax(detail, i);
@@ -74,6 +81,7 @@ class MacroFormula : public FormulaParser<MacroFormula> {
   const MacroEnvironment& environment_;
   const AlarmTable& alarms_;
   LexError& error_;
+  int relations_ = 0;
 };
 
 bool MacroFormula::fail(const FormulaFault& fault) {
@@ -83,8 +91,10 @@ bool MacroFormula::fail(const FormulaFault& fault) {
                                    : "a number, a variable, a function or '[' is expected",
                     fault.begin);
     case Kind::kTooDeep:
-      return syntax("the formula is nested too deep", fault.begin);
+      return tooDeep(fault.begin);
     case Kind::kNoBracket:
+      if (rules_.whole_conditions && peek() == '=')
+        return alarm(SharedAlarm::kTerminator, "= (EQ compares)", {}, i);
       return noBracket("an operator or ']' is expected", fault.begin);
     case Kind::kSecondPoint:
       return syntax("second decimal point", fault.begin);
@@ -123,7 +133,8 @@ bool MacroFormula::refused(const FormulaFault& fault) {
 }
 
 void MacroFormula::compared(const Value& left, const Value& right, bool /*holds*/) {
-  const bool known = !left.vacant && !right.vacant;
+  // Of several joined relations it is not known which one ends a loop.
+  const bool known = !left.vacant && !right.vacant && ++relations_ == 1;
   distance = known ? std::abs(left.number - right.number) : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -154,6 +165,17 @@ bool MacroFormula::otherName(Value& /*out*/) {
   i = behindLetters();
   return syntax(fmt::format("a value is expected, and {} is no function", text_.substr(begin, i - begin)),
                 begin);
+}
+
+bool MacroFormula::rounded(const FormulaFunction& name, Value& out) {
+  const std::size_t begin = i;
+  i += name.text.size();
+  passBlanks();
+  if (peek() != rules_.open)
+    return syntax(fmt::format("{} without its argument in brackets", name.text), begin);
+  if (!bracket(out)) return false;
+  out = {std::round(out.number * steps) / steps, false};
+  return std::isfinite(out.number) || alarm(SharedAlarm::kValueLimit, {}, "the result is too large", begin);
 }
 
 bool MacroFormula::axisNumber(Value& out) {
@@ -263,11 +285,38 @@ bool MacroFormula::variableNumber(int& number) {
   if (c == '_') return symbol(number);
   if (c != '[') return syntax("'#' is followed by a number, a name or '['", begin);
   Value value;
-  ++depth_;  // the recursion goes round by way of primary()
-  const bool good =
-      depth_ < rules_.most_depth ? bracket(value) : syntax("the formula is nested too deep", begin);
-  --depth_;
+  bool found = false;
+  if (!namedVariable(number, found)) return false;
+  if (found) return true;
+  // The recursion goes round by way of primary(), which counts no operand.
+  const int levels = rules_.depth == FormulaDepth::kOperands ? 1 : 0;
+  depth_ += levels;
+  const bool good = depth_ < rules_.most_depth ? bracket(value) : tooDeep(begin);
+  depth_ -= levels;
   return good && wholeNumber(value, begin, number);
+}
+
+/// `#[NAME]` of SETVN and `#[_NAME]` or `#[_NAME[index]]` of the control; the bracket is at pos(). `found`:
+/// whether a name stands there. False: it is none, reported.
+bool MacroFormula::namedVariable(int& number, bool& found) {
+  const std::size_t inside = skipBlanks(text_, i + 1);
+  std::size_t end = inside;
+  while (end < text_.size() && (isLetter(text_[end]) || isDigit(text_[end]) || text_[end] == '_')) ++end;
+  if (end == inside || isDigit(text_[inside])) return true;
+  const std::string_view name = text_.substr(inside, end - inside);
+  const bool closed = end < text_.size() && text_[end] == rules_.close;
+  if (const int named = closed ? variables_.named(name) : -1; named >= 0) {
+    number = named;
+    found = true;
+    i = end + 1;
+    return true;
+  }
+  if (name[0] != '_' || !rules_.bracket_names) return true;
+  found = true;
+  i = inside;
+  if (!symbol(number)) return false;
+  passBlanks();
+  return take(rules_.close) || noBracket("']' is expected", inside);
 }
 
 bool MacroFormula::symbol(int& number) {
@@ -321,6 +370,16 @@ bool MacroFormula::assignment() {
 
 bool MacroEvaluator::evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) {
   MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
+  const bool good = parser.signedOperand(value);
+  pos = parser.pos();
+  value.origin = origins_ != nullptr ? origins_->listOf(reads_) : 0;
+  return good;
+}
+
+bool MacroEvaluator::evaluateWord(Address address, std::string_view text, std::size_t& pos, Value& value,
+                                  LexError& error) {
+  MacroFormula parser(language_, text, pos, variables_, environment_, alarms_, error, reads_);
+  parser.steps = environment_.stepsPerUnit(address);
   const bool good = parser.signedOperand(value);
   pos = parser.pos();
   value.origin = origins_ != nullptr ? origins_->listOf(reads_) : 0;

@@ -29,6 +29,8 @@ class MacroEnvironment {
     std::string_view subject;          ///< of the alarm
     double value = 0.0;
   };
+  /// Into how many increments ROUND divides a unit in the value of a word; elsewhere it gives whole numbers.
+  virtual double stepsPerUnit(Address /*address*/) const { return 1.0; }
   /// PRM: `bit` -1 and `index` 0 where the program gives none.
   virtual ParameterAnswer parameter(int number, int bit, int index) const = 0;
 };
@@ -36,7 +38,8 @@ class MacroEnvironment {
 /// Functions of a language that MacroEvaluator reads itself (FormulaFunction::special).
 enum MacroSpecial : int {
   kMacroAxisNumber = 1,  ///< AXNUM[name]
-  kMacroParameter        ///< PRM[number, bit]/[index]
+  kMacroParameter,       ///< PRM[number, bit]/[index]
+  kMacroRound            ///< ROUND[value]: see MacroEnvironment::stepsPerUnit
 };
 
 /// Evaluates formulas of a language whose variables are #n against the variables. Errors carry the control's
@@ -54,6 +57,8 @@ class MacroEvaluator : public ExpressionHook {
   /// The value of a word: a sign, and a variable, a bracket or a function. A vacant variable stays vacant,
   /// with a sign too.
   bool evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) override;
+  bool evaluateWord(Address address, std::string_view text, std::size_t& pos, Value& value,
+                    LexError& error) override;
   /// A whole formula from `pos` on.
   bool formula(std::string_view text, std::size_t& pos, Value& value, LexError& error);
   /// `[formula relation formula]` from `pos` on (IF, WHILE). Vacant equals vacant alone and is greater than

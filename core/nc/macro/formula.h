@@ -123,6 +123,19 @@ class FormulaParser {
   Control& self() { return static_cast<Control&>(*this); }
 
   bool climb(int lowest, Value& out);
+  bool joined(int lowest, Value& out);
+  bool joins(const FormulaOperator& op) const;
+  bool content(Value& out) {
+    return rules_.joins_relations && bracket_rank_ < rules_.formula_rank ? joinedContent(out)
+                                                                         : climb(bracket_rank_, out);
+  }
+  bool joinedContent(Value& out) {
+    const bool outside = std::exchange(relation_here_, false);
+    const bool good = joined(0, out);
+    // A bracket with relations is one itself to what stands around it.
+    relation_here_ = outside || relation_here_;
+    return good;
+  }
   const FormulaOperator* operatorHere();
   bool combine(const FormulaOperator& op, std::size_t entry, std::size_t begin, Value& left,
                const Value& right);
@@ -137,6 +150,7 @@ class FormulaParser {
   bool relation(Operation& out);
 
   int bracket_rank_ = rules_.formula_rank;  ///< lowest rank of the operators in brackets
+  bool relation_here_ = false;              ///< the bracket in hand has a relation up to here
   std::size_t looked_at_ = std::string_view::npos;
   const FormulaOperator* here_ = nullptr;  ///< that stands at looked_at_
 };
@@ -171,12 +185,53 @@ bool FormulaParser<Control>::climb(int lowest, Value& out) {
       if (!rules_.takes_blanks) i = behind;
       return true;
     }
+    if (relation_here_ && joins(*op)) return true;
+    relation_here_ = relation_here_ || isRelation(op->operation);
     i += op->text.size();
     self().taken(*op, before, lowest);
     Value right;
     if (!climb(op->from_right ? op->rank : op->rank + 1, right)) return false;
     if (!combine(*op, entry, begin, out, right)) return false;
     before = op;
+  }
+}
+
+/// Whether a relation follows the operator, which stands at pos(), in the bracket in hand.
+template <class Control>
+bool FormulaParser<Control>::joins(const FormulaOperator& op) const {
+  if (!rules_.joins_relations || !isBitOperation(op.operation)) return false;
+  int depth = 0;
+  bool letter = true;  // in front of here, so that words begin behind something else
+  for (std::size_t k = i + op.text.size(); k < text_.size() && depth >= 0; k = skipBlanks(text_, k + 1)) {
+    const char c = text_[k];
+    depth += c == rules_.open ? 1 : c == rules_.close ? -1 : 0;
+    if (!letter && isNameLetter(c)) {
+      for (const FormulaOperator& other : language_.operators.from(upper(c))) {
+        if (other.text[0] != upper(c)) break;
+        if (isRelation(other.operation) && keywordAt(text_, k, other.text)) return true;
+      }
+    }
+    letter = isLetter(c) || c == '_';
+  }
+  return false;
+}
+
+/// Relations that bit operators join. `lowest`: of the ranks of the operators.
+template <class Control>
+bool FormulaParser<Control>::joined(int lowest, Value& out) {
+  const std::size_t entry = i;
+  passBlanks();
+  const std::size_t begin = i;
+  if (!climb(bracket_rank_, out)) return false;
+  while (true) {
+    passBlanks();
+    const FormulaOperator* const op = operatorHere();
+    if (op == nullptr || op->rank < lowest || !isBitOperation(op->operation)) return true;
+    i += op->text.size();
+    relation_here_ = false;
+    Value right;
+    if (!joined(op->rank + 1, right) || !combine(*op, entry, begin, out, right)) return false;
+    relation_here_ = true;
   }
 }
 
@@ -279,7 +334,7 @@ bool FormulaParser<Control>::list(Value& first, Value* second, bool& both) {
   const int levels = rules_.depth == FormulaDepth::kBrackets ? 1 : 0;
   if (levels > 0 && depth_ >= rules_.most_depth) return failAt(Kind::kTooDeep, begin);
   depth_ += levels;
-  if (!climb(bracket_rank_, first)) return false;
+  if (!content(first)) return false;
   if (second != nullptr) {
     passBlanks();
     both = take(',');
@@ -386,6 +441,7 @@ bool FormulaParser<Control>::condition(bool& holds) {
     bracket_rank_ = 0;
     const bool good = bracket(left);
     bracket_rank_ = rules_.formula_rank;
+    if (good && left.vacant && rules_.refuses_vacant_condition) return failAt(Kind::kNoCondition, begin);
     holds = good && self().isTrue(left.number);
     return good;
   }

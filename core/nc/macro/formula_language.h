@@ -38,6 +38,10 @@ enum class Operation : std::uint8_t {
 
 constexpr bool isRelation(Operation operation) { return operation >= Operation::kEqual; }
 
+constexpr bool isBitOperation(Operation operation) {
+  return operation >= Operation::kBitOr && operation <= Operation::kBitAnd;
+}
+
 struct FormulaOperator {
   std::string_view text;  ///< upper case
   int rank = 0;           ///< what binds closer has a higher one; kEnd: below all
@@ -91,7 +95,13 @@ struct FormulaRules {
   bool refuses_zero = true;       ///< as a divisor; false: the quotient is infinite
   bool refuses_infinite = true;   ///< results of every step; false: the control looks at the last one
   bool whole_conditions = false;  ///< conditions are formulas with all operators; false: one relation
-  int formula_rank = 0;           ///< operators below stand in conditions only
+  /// In a bracket with relations, bit operators between two of these join them, lower than the relations:
+  /// [#1 EQ 1 AND #2 GT 3].
+  bool joins_relations = false;
+  bool bracket_names = false;  ///< #[_NAME] too
+  bool refuses_vacant_condition =
+      false;             ///< a condition without a value is an error; false: it does not hold
+  int formula_rank = 0;  ///< operators below stand in conditions only
   int most_depth = 64;
   FormulaDepth depth = FormulaDepth::kOperands;
   FormulaArgument argument = FormulaArgument::kOperand;

@@ -76,7 +76,7 @@ LoopIndex::LoopIndex(const std::vector<std::string_view>& lines) {
 }
 
 void LoopIndex::add(std::size_t line, int number, bool is_end) {
-  Mark mark{line, line, number, is_end, Fault::kNone};
+  Mark mark{line, line, number, is_end, Fault::kNone, open_.empty() ? kNone : open_.back()};
   const auto same = [&](std::size_t k) { return marks_[k].number == number; };
   if (!is_end) {
     if (std::any_of(open_.begin(), open_.end(), same)) {
@@ -87,6 +87,7 @@ void LoopIndex::add(std::size_t line, int number, bool is_end) {
   } else if (!open_.empty() && same(open_.back())) {
     mark.partner = marks_[open_.back()].line;
     marks_[open_.back()].partner = line;
+    mark.outer = marks_[open_.back()].outer;
     open_.pop_back();
   } else {
     mark.fault = Fault::kNoDo;
@@ -98,6 +99,21 @@ const LoopIndex::Mark* LoopIndex::find(std::size_t line) const {
   const auto at = std::lower_bound(marks_.begin(), marks_.end(), line,
                                    [](const Mark& m, std::size_t wanted) { return m.line < wanted; });
   return at != marks_.end() && at->line == line ? &*at : nullptr;
+}
+
+const LoopIndex::Mark* LoopIndex::entered(std::size_t from, std::size_t to) const {
+  const auto behind = std::lower_bound(marks_.begin(), marks_.end(), to,
+                                       [](const Mark& m, std::size_t wanted) { return m.line < wanted; });
+  if (behind == marks_.begin()) return nullptr;
+  const Mark& before = *(behind - 1);
+  const Mark* found = nullptr;
+  for (std::size_t k = before.is_end ? before.outer : static_cast<std::size_t>(&before - marks_.data());
+       k != kNone; k = marks_[k].outer) {
+    const Mark& loop = marks_[k];
+    const bool around = loop.fault == Fault::kNone && to <= loop.partner;
+    if (around && !(from >= loop.line && from <= loop.partner)) found = &loop;
+  }
+  return found;
 }
 
 }  // namespace proveout::nc

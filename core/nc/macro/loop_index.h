@@ -18,17 +18,21 @@ class LoopIndex {
     kNoEnd,    ///< DOm without an ENDm that fits
     kNoDo      ///< ENDm without a DOm that fits
   };
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
   struct Mark {
     std::size_t line = 0;     ///< index
     std::size_t partner = 0;  ///< index of the line of the END or the DO
     int number = 0;           ///< m
     bool is_end = false;
     Fault fault = Fault::kNone;
+    std::size_t outer = kNone;  ///< index of the DO around it
   };
 
   explicit LoopIndex(const std::vector<std::string_view>& lines);
   /// The DO or END of a line, or null.
   const Mark* find(std::size_t line) const;
+  /// The outermost loop that a jump from one line to another enters behind its DO, or null.
+  const Mark* entered(std::size_t from, std::size_t to) const;
 
  private:
   void add(std::size_t line, int number, bool is_end);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/base/characters.h"
 
 namespace proveout::nc {
 namespace {
@@ -91,12 +92,23 @@ const VariableSymbol* VariableStore::symbolAt(std::string_view text, std::size_t
   return nullptr;
 }
 
+std::string VariableStore::upperCase(std::string_view name) {
+  std::string out(name);
+  for (char& c : out) c = upper(c);
+  return out;
+}
+
+void VariableStore::clearVolatile() {
+  for (int k = 1; k <= kLocalCount; ++k) put(locals_[static_cast<std::size_t>(k)], Value::none());
+  for (int k = kFirstGlobal; k < kFirstKept; ++k) put(global(k), Value::none());
+}
+
 VariableBank* VariableStore::bankOf(int number) const {
   const auto behind = std::upper_bound(banks_.begin(), banks_.end(), number,
                                        [](int wanted, const Range& range) { return wanted < range.first; });
-  if (behind == banks_.begin()) return nullptr;
+  if (behind == banks_.begin()) return fallback_;
   const Range& range = *(behind - 1);
-  return number <= range.last ? range.bank : nullptr;
+  return number <= range.last ? range.bank : fallback_;
 }
 
 VariableStatus VariableStore::readOther(int number, Value& out) {
@@ -108,12 +120,14 @@ VariableStatus VariableStore::readOther(int number, Value& out) {
   }
   VariableBank* bank = bankOf(number);
   ++bank_accesses_;
-  return bank == nullptr ? VariableStatus::kUnknown : bank->read(number, out);
+  const VariableStatus status = bank == nullptr ? VariableStatus::kUnknown : bank->read(number, out);
+  if (status != VariableStatus::kUnknown || fallback_ == nullptr || bank == fallback_) return status;
+  return fallback_->read(number, out);
 }
 
 VariableStatus VariableStore::writeOther(int number, const Value& value) {
   if (isConstant(number)) return VariableStatus::kReadOnly;
-  if (number >= kFirstGlobal && number <= kLastGlobal) {
+  if (isGlobal(number)) {
     const bool locked = number >= kFirstKept && number >= protect_first_ && number <= protect_last_;
     if (locked) return VariableStatus::kReadOnly;
     put(global(number), value);
@@ -121,7 +135,9 @@ VariableStatus VariableStore::writeOther(int number, const Value& value) {
   }
   VariableBank* bank = bankOf(number);
   ++bank_accesses_;
-  return bank == nullptr ? VariableStatus::kUnknown : bank->write(number, value);
+  const VariableStatus status = bank == nullptr ? VariableStatus::kUnknown : bank->write(number, value);
+  if (status != VariableStatus::kUnknown || fallback_ == nullptr || bank == fallback_) return status;
+  return fallback_->write(number, value);
 }
 
 }  // namespace proveout::nc

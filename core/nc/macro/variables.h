@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,7 +62,7 @@ class VariableStore {
       out = locals_[local(number)];
       return VariableStatus::kDone;
     }
-    if (number >= kFirstGlobal && number <= kLastGlobal) {
+    if (isGlobal(number)) {
       out = global(number);
       return VariableStatus::kDone;
     }
@@ -81,7 +82,7 @@ class VariableStore {
   /// The value of a local or global variable; false: it is another one. For messages.
   bool peek(int number, Value& out) const {
     const bool is_local = number >= 1 && number <= kLocalCount;
-    if (!is_local && (number < kFirstGlobal || number > kLastGlobal)) return false;
+    if (!is_local && !isGlobal(number)) return false;
     out = is_local ? locals_[local(number)] : global(number);
     return true;
   }
@@ -96,10 +97,17 @@ class VariableStore {
   /// that all channels share). `owner` must outlive this and share with none itself.
   void share(VariableStore& owner, int low, int kept);
 
+  /// #100 to #last are the globals in front of #500; without this call up to #499.
+  void endLowGlobals(int last) { low_end_ = last; }
+  /// Locals of level 0 and the globals in front of #500 become vacant.
+  void clearVolatile();
+
   /// #first to #last, within 500-999, refuse to be written (N1702, N1703); first > last: none.
   void protect(int first, int last);
   /// Hands the numbers first..last to a bank, which must live as long as the store. Ranges do not overlap.
   void addBank(int first, int last, VariableBank& bank);
+  /// Asked for all numbers that no other bank has or knows.
+  void setFallback(VariableBank& bank) { fallback_ = &bank; }
   /// The rest of the line behind the assignment in hand, for banks that take a text: #3000=1(TEXT).
   bool takesText(int number) const {
     const VariableBank* bank = bankOf(number);
@@ -112,8 +120,20 @@ class VariableStore {
   /// The longest name that `text` starts with, letters of either case; `length` gets its characters. Null:
   /// none.
   const VariableSymbol* symbolAt(std::string_view text, std::size_t& length) const;
+  /// A name that the program gives a variable (SETVN), letters of either case; its last name holds.
+  void setName(std::string_view name, int number) { names_[upperCase(name)] = number; }
+  /// The variable of that name, or -1.
+  int named(std::string_view name) const {
+    if (names_.empty()) return -1;
+    const auto found = names_.find(upperCase(name));
+    return found == names_.end() ? -1 : found->second;
+  }
 
  private:
+  static std::string upperCase(std::string_view name);
+  bool isGlobal(int number) const {
+    return number >= kFirstGlobal && number <= kLastGlobal && (number <= low_end_ || number >= kFirstKept);
+  }
   void put(Value& place, const Value& value) {
     if (!(place.number == value.number && place.vacant == value.vacant)) {
       const auto at = static_cast<std::uint64_t>(reinterpret_cast<std::uintptr_t>(&place));
@@ -150,6 +170,9 @@ class VariableStore {
   std::string_view note_;
   Value* common_ = nullptr;  ///< globals of the owner
   int common_low_end_ = 0, common_kept_end_ = 0;
+  int low_end_ = kFirstKept - 1;
+  VariableBank* fallback_ = nullptr;
+  std::map<std::string, int> names_;
   std::vector<Range> banks_;             ///< by first number
   std::vector<VariableSymbol> symbols_;  ///< by name
 };

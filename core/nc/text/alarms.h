@@ -66,6 +66,13 @@ enum class SharedAlarm : std::uint8_t {
   kIndexing,            ///< the spindle cannot be turned to an angle
   kInSmoothing,         ///< subject: what is not allowed during smoothing
   kParameterLocked,     ///< subject: the parameter
+  kFormulaDepth,        ///< a formula is nested too deep
+  kMixedBlock,          ///< a statement of the macro language beside words or another one
+  kLoopNumber,          ///< subject: DO or END whose number no loop has
+  kLoopDoubled,         ///< a loop inside of one of the same number
+  kLoopPair,            ///< subject: DO1 or END1 that is missing
+  kJumpTarget,          ///< subject: the block that GOTO names
+  kNesting,             ///< subject: the whole sentence; calls are nested too deep
   // Ends and ways beyond limits; subject: the axis.
   kEndAbove,
   kEndBelow,

@@ -84,7 +84,8 @@ enum class LineKind : std::uint8_t {
   kDo,
   kEnd,
   kGoto,
-  kOutput  ///< POPEN PCLOS FOPEN FCLOS BPRNT DPRNT
+  kOutput,  ///< POPEN PCLOS FOPEN FCLOS BPRNT DPRNT
+  kNames    ///< SETVN
 };
 
 /// Reused from line to line; the views point into the program text.

@@ -94,6 +94,8 @@ bool Lexer::foreignSign(std::string_view line, std::size_t i, bool& comment) {
   comment = line[i] == ';' && semicolon_told_;
   if (comment) return true;
   if (line[i] == ')') return syntax("')' without '('", i, i + 1);
+  if (line[i] == '#' && rules_.expressions != nullptr)
+    return fail(SharedAlarm::kMixedBlock, {}, "'#' does not start a word", i, i + 1);
   if (line[i] != ';') return syntax(shown(line[i]) + " does not start a word", i, i + 1);
   semicolon_told_ = true;
   return syntax(
@@ -129,6 +131,7 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
       if (head && upper(c) != 'N' && upper(c) != 'O') {
         head = false;
         block.kind = classify(line, i);
+        if (rules_.names_variables && keyword(line, i, "SETVN")) block.kind = LineKind::kNames;
         if (block.kind != LineKind::kBlock) {
           block.statement = i;
           leaveStatement(line.substr(i));
@@ -308,7 +311,8 @@ bool Lexer::noWord(std::string_view line, std::size_t value) {
   }
   for (const std::string_view statement : {"GOTO", "IF", "THEN", "WHILE", "DO", "END"}) {
     if (name != statement) continue;
-    return syntax(fmt::format("{} cannot stand behind other words", name), begin, end);
+    return fail(SharedAlarm::kMixedBlock, {}, fmt::format("{} cannot stand behind other words", name), begin,
+                end);
   }
   return syntax(fmt::format("{} is no word: a word is a letter with a number, text stands in ( )", name),
                 begin, end);
@@ -321,7 +325,7 @@ bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& va
   }
   Value value;
   error_ = {};
-  if (!rules_.expressions->evaluate(line, i, value, error_)) {
+  if (!rules_.expressions->evaluateWord(word.address, line, i, value, error_)) {
     if (isLetter(line[begin]) && error_.code == alarms_.code(SharedAlarm::kSyntax) &&
         error_.columns.begin == static_cast<int>(begin) + 1) {
       return noWord(line, begin);

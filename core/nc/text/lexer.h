@@ -26,6 +26,11 @@ class ExpressionHook {
   /// `pos` behind the expression. A vacant value leaves the word out. False: `error` says why, with its
   /// columns.
   virtual bool evaluate(std::string_view text, std::size_t& pos, Value& value, LexError& error) = 0;
+  /// The same for the value of a word of that address.
+  virtual bool evaluateWord(Address /*address*/, std::string_view text, std::size_t& pos, Value& value,
+                            LexError& error) {
+    return evaluate(text, pos, value, error);
+  }
 };
 
 /// What differs from grammar to grammar.
@@ -38,6 +43,7 @@ struct LexRules {
   bool keep_repeats = false;
   bool incremental_operator = true;  ///< XI40
   bool comma_addresses = true;       ///< ,C ,R ,A
+  bool names_variables = false;      ///< SETVN is a statement
   AddressSet incremental_addresses = "XYZUVWABCR";
   AddressSet unsigned_addresses = "ONGFTHDLM";  ///< '-' is an error
   AddressSet repeatable = "GM";                 ///< may occur more than once in a block

@@ -16,14 +16,26 @@ std::int64_t numberOf(std::string_view line) {
   return number;
 }
 
+/// The name in < > that the line begins with, behind an O or not; empty: it has none.
+std::string_view nameOf(std::string_view line) {
+  std::size_t i = line.find_first_not_of(" \t%");
+  if (i == std::string_view::npos) return {};
+  if (upper(line[i]) == 'O') i = line.find_first_not_of(" \t", i + 1);
+  if (i == std::string_view::npos || line[i] != '<') return {};
+  const std::size_t close = line.find('>', i);
+  return close == std::string_view::npos ? std::string_view() : line.substr(i + 1, close - i - 1);
+}
+
 }  // namespace
 
-std::vector<ProgramHead> programHeads(const std::vector<std::string_view>& lines) {
+std::vector<ProgramHead> programHeads(const std::vector<std::string_view>& lines, bool comments_end_in_line) {
   std::vector<ProgramHead> heads;
   bool comment = false;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::int64_t number = comment ? -1 : numberOf(lines[k]);
-    if (number >= 0) heads.push_back({k, number});
+    const std::string_view name = comments_end_in_line && number < 0 ? nameOf(lines[k]) : std::string_view();
+    if (number >= 0 || !name.empty()) heads.push_back({k, number, name});
+    if (comments_end_in_line) continue;
     for (const char c : lines[k]) comment = comment ? c != ')' : c == '(';
   }
   return heads;

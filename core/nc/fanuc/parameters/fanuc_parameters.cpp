@@ -32,6 +32,7 @@ const ParameterTable& fanucParameters() {
              choice("g76_shift", 5101, 0, "+X -X +Y -Y", "direction of Q of G76 and G87, as in G17"))
         .add(FanucParam::kLocalShift, choice("setting_33", kNoNumber, 0, "fanuc yasnac",
                                              "Haas: G52 shifts every work system, or is one of its own"));
+    addMacroRows(table);
     return table;
   }();
   return kTable;

@@ -9,17 +9,23 @@ namespace proveout::nc {
 
 /// Settings that only these controls have. Those of the shared rules are in iso/parameters.
 enum class FanucParam : std::uint16_t {
-  kFlavour,      ///< 0 Fanuc, 1 Haas
-  kDecimal,      ///< 3401#0 DPI: 0 a number without a point counts in units, 1 in least increments
-  kRigidAlways,  ///< 5200#0: G84 and G74 are rigid without M29
-  kRigidPeck,    ///< 5200#5 PCP: 0 pecks of rigid taps go back a little, 1 out to R
-  kBoreShift,    ///< 5101#4,5: direction of Q of G76 and G87: +u -u +v -v of the plane
-  kLocalShift,   ///< Setting 33 of Haas: 0 G52 shifts every system, 1 it is a system of its own
+  kFlavour,           ///< 0 Fanuc, 1 Haas
+  kDecimal,           ///< 3401#0 DPI: 0 a number without a point counts in units, 1 in least increments
+  kRigidAlways,       ///< 5200#0: G84 and G74 are rigid without M29
+  kRigidPeck,         ///< 5200#5 PCP: 0 pecks of rigid taps go back a little, 1 out to R
+  kBoreShift,         ///< 5101#4,5: direction of Q of G76 and G87: +u -u +v -v of the plane
+  kLocalShift,        ///< Setting 33 of Haas: 0 G52 shifts every system, 1 it is a system of its own
+  kSubprogramForm,    ///< 0 the last four digits of P are the number, 1 all are
+  kAtanRange,         ///< 6004#0 NAT: 360 or 180
+  kV15,               ///< 6000#3
+  kUnknownVariables,  ///< 0 errors, 1 vacant
   kCount
 };
 inline constexpr double kHaasFlavour = 1.0;  ///< FanucParam::kFlavour
 constexpr ParamId paramId(FanucParam p) { return {ParamChapter::kOwn, static_cast<std::uint16_t>(p)}; }
 
 const ParameterTable& fanucParameters();
+/// Adds the rows of calls and of the macro language.
+void addMacroRows(ParameterTable& table);
 
 }  // namespace proveout::nc

@@ -222,6 +222,9 @@ bool record(IsoContext& c, std::size_t i, bool binary, std::string& out) {
       ++i;
     } else if (letter == ' ' || letter == '\t') {
       ++i;
+    } else if (!c.dialect.rules.names_output && letter > ' ' && letter < 0x7F && letter != '[') {
+      out += letter;
+      ++i;
     } else {
       return letter == '\0' ? c.alarm(SharedAlarm::kRightBracket, "]", {}, columnsAt(text.size()))
                             : c.alarm(SharedAlarm::kSyntax, {},
@@ -245,6 +248,39 @@ bool print(IsoContext& c, std::size_t i, bool binary) {
   return openFile(c, name + extension(c), false) && writeBytes(c, std::string("%") + std::string(kLineEnd));
 }
 
+constexpr std::string_view kMacroFile = "macro.txt";
+
+/// POPEN without a number: what is written goes behind what the file holds already.
+bool openMacroFile(IsoContext& c) {
+  if (c.output.open) return true;
+  if (!openFile(c, std::string(kMacroFile), target(c).exists(std::string(kMacroFile)))) return false;
+  c.output.open = true;
+  c.output.periphery = false;
+  return true;
+}
+
+/// POPEN, PCLOS, BPRNT and DPRNT where there is one file that they all mean.
+bool macroOutput(IsoContext& c) {
+  const std::string_view text = c.block.text;
+  const std::size_t begin = c.block.statement;
+  if (keywordAt(text, begin, "POPEN")) return nothingBehind(c, begin + 5) && openMacroFile(c);
+  if (keywordAt(text, begin, "PCLOS")) {
+    if (!nothingBehind(c, begin + 5)) return false;
+    if (c.output.open) return closeFile(c);
+    c.warnOnce("macro-output-closed", "output", "PCLOS without POPEN: nothing is open");
+    return true;
+  }
+  const bool binary = keywordAt(text, begin, "BPRNT");
+  if (!binary && !keywordAt(text, begin, "DPRNT"))
+    return c.alarm(SharedAlarm::kNotImplemented, text.substr(begin, 5));
+  std::string bytes;
+  if (!record(c, begin + 5, binary, bytes)) return false;
+  if (!c.output.open && c.firstTime("macro-output-open")) {
+    c.warn("output", fmt::format("DPRNT without POPEN: written to {}", kMacroFile), {}, Severity::kNote);
+  }
+  return openMacroFile(c) && writeBytes(c, bytes + std::string(kLineEnd));
+}
+
 }  // namespace
 
 bool outputStatement(IsoContext& c) {
@@ -260,6 +296,7 @@ bool outputStatement(IsoContext& c) {
       {"BPRNT", [](IsoContext& context, std::size_t i) { return print(context, i, true); }},
       {"DPRNT", [](IsoContext& context, std::size_t i) { return print(context, i, false); }},
   });
+  if (!c.dialect.rules.names_output) return macroOutput(c);
   const std::size_t begin = c.block.statement;
   for (const Statement& statement : kStatements) {
     if (keywordAt(c.block.text, begin, statement.word))
@@ -270,7 +307,8 @@ bool outputStatement(IsoContext& c) {
 
 bool endOutput(IsoContext& c) {
   if (!c.output.open) return true;
-  c.warn("output", "the program ends while it has a file open: what it wrote so far is kept");
+  if (c.dialect.rules.names_output || c.output.name != kMacroFile)
+    c.warn("output", "the program ends while it has a file open: what it wrote so far is kept");
   return closeFile(c);
 }
 

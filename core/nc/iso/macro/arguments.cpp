@@ -74,6 +74,7 @@ class ArgumentCollector {
 }  // namespace
 
 bool collectArguments(IsoContext& c, const ArgumentRules& rules, Arguments& out) {
+  if (c.dialect.arguments != nullptr) return c.dialect.arguments(c, rules, out);
   ArgumentCollector collector(out);
   const auto argument = [&](const Word& w) {
     return Value{w.value, false, numberOf(c, w, OriginKind::kArgument)};

@@ -82,7 +82,7 @@ Go IsoControl::callMacro(const MacroCall& call) {
   if (!good) return alarm();
   if (frame.kind == CallKind::kMacro || frame.kind == CallKind::kSystem) return open(frame);
   if (!c.modals.activate(frame)) {
-    c.fail("nesting", fmt::format("more than {} modal macros are active", kMaxNesting));
+    c.fail(SharedAlarm::kNesting, fmt::format("more than {} modal macros are active", kMaxNesting));
     return alarm();
   }
   c.state.active[kGroupMacro] =
@@ -90,12 +90,28 @@ Go IsoControl::callMacro(const MacroCall& call) {
   return frame.kind == CallKind::kModalMacro ? Go::kOn : open(c.modals.last());
 }
 
+bool IsoControl::mayNest(const CallFrame& frame) {
+  IsoContext& c = context_;
+  const bool macro = opensLocals(frame.kind);
+  const MacroParam key = macro ? MacroParam::kMacroNesting : MacroParam::kSubNesting;
+  const double most = c.parameters[key];
+  if (most == 0.0) return true;
+  double open = 0.0;
+  for (std::size_t level = c.calls.depth(); level-- > 1;)
+    open += opensLocals(c.calls.at(level).kind) == macro;
+  if (open < most) return true;
+  return c.fail(SharedAlarm::kNesting,
+                fmt::format("{} are nested deeper than {} ({})", macro ? "macro calls" : "subprogram calls",
+                            most, c.parameters.name(key)));
+}
+
 Go IsoControl::open(const CallFrame& frame) {
   IsoContext& c = context_;
   if (c.calls.depth() > kMaxNesting) {
-    c.fail("nesting", fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
+    c.fail(SharedAlarm::kNesting, fmt::format("subprogram calls are nested deeper than {}", kMaxNesting));
     return alarm();
   }
+  if (!mayNest(frame)) return alarm();
   return run_.call(frame, static_cast<int>(frame.total));
 }
 
@@ -130,6 +146,8 @@ bool IsoControl::systemFrame(const MacroCall& call, CallFrame& frame) {
   rules.call = call.word;
   const bool is_g = isSystemG(call.system.code);
   if (is_g) rules.weak = "G";
+  const Word* l = c.dialect.arguments != nullptr ? c.word('L') : nullptr;
+  if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return false;
   if (c.block.has_file)
     return c.alarm(SharedAlarm::kIllegalAddress, "<>", "a file name belongs to M98 and G65",
                    c.block.file_columns);
@@ -150,7 +168,9 @@ Go IsoControl::callFromBlock(const CallFrame& modal) {
     c.alarm(SharedAlarm::kIllegalAddress, "<>", "a file name is no argument", c.block.file_columns);
     return alarm();
   }
-  return collectArguments(c, ArgumentRules(), frame.args) ? open(frame) : alarm();
+  ArgumentRules rules;
+  rules.of_block = true;
+  return collectArguments(c, rules, frame.args) ? open(frame) : alarm();
 }
 
 /// Puts off the calls that the block brings along: the modal macro after a motion, then the subprograms that

@@ -20,7 +20,7 @@ bool endStatement(IsoContext& c, std::size_t pos) {
   const std::string_view text = c.block.text;
   pos = skipBlanks(text, pos);
   if (pos >= text.size() || text[pos] == '(') return true;
-  return c.alarm(SharedAlarm::kSyntax, "", "nothing may follow the statement",
+  return c.alarm(SharedAlarm::kMixedBlock, "", "nothing may follow the statement",
                  {static_cast<int>(pos) + 1, static_cast<int>(text.size()) + 1});
 }
 
@@ -30,7 +30,7 @@ const LoopIndex::Mark* loopMark(IsoContext& c, std::size_t pos) {
   const bool is_end = c.block.kind == LineKind::kEnd;
   const int number = loopNumber(text, pos);
   if (number < 0) {
-    c.alarm(SharedAlarm::kOutOfRange, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
+    c.alarm(SharedAlarm::kLoopNumber, is_end ? "END" : "DO", "loops have the numbers 1 to 3");
     return nullptr;
   }
   const LoopIndex::Mark* mark = c.calls.top().text->loops().find(c.calls.lineIndex());
@@ -42,18 +42,45 @@ const LoopIndex::Mark* loopMark(IsoContext& c, std::size_t pos) {
     case LoopIndex::Fault::kNone:
       return endStatement(c, pos + 1) ? mark : nullptr;
     case LoopIndex::Fault::kDoubled:
-      c.alarm(SharedAlarm::kSyntax, "", fmt::format("DO{0} inside DO{0}", number));
+      c.alarm(SharedAlarm::kLoopDoubled, "", fmt::format("DO{0} inside DO{0}", number));
       return nullptr;
     case LoopIndex::Fault::kNoEnd:
-      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("END{}", number),
-              "loops end in pairs and do not overlap");
+      c.alarm(SharedAlarm::kLoopPair, fmt::format("END{}", number), "loops end in pairs and do not overlap");
       return nullptr;
     case LoopIndex::Fault::kNoDo:
-      c.alarm(SharedAlarm::kBlockNotFound, fmt::format("DO{}", number),
-              "loops start in pairs and do not overlap");
+      c.alarm(SharedAlarm::kLoopPair, fmt::format("DO{}", number), "loops start in pairs and do not overlap");
       return nullptr;
   }
   return nullptr;
+}
+
+/// SETVN n[NAME,NAME,...]: names of #n, #n+1, ...; moves block.statement behind it. False: reported.
+bool nameVariables(IsoContext& c) {
+  const std::string_view text = c.block.text;
+  std::size_t pos = skipBlanks(text, c.block.statement + 5);
+  const auto refuse = [&](std::string_view detail) {
+    return c.alarm(SharedAlarm::kSyntax, "", detail, {static_cast<int>(pos) + 1, static_cast<int>(pos) + 2});
+  };
+  int number = 0, digits = 0;
+  for (; pos < text.size() && isDigit(text[pos]) && digits < 6; ++pos, ++digits)
+    number = 10 * number + (text[pos] - '0');
+  if (digits == 0) return refuse("SETVN is followed by the number of a variable");
+  pos = skipBlanks(text, pos);
+  if (pos >= text.size() || text[pos] != '[') return refuse("SETVN n[NAME,NAME] is expected");
+  constexpr std::size_t kLongest = 31;
+  for (; pos < text.size() && text[pos] != ']'; ++number) {
+    pos = skipBlanks(text, pos + 1);
+    const std::size_t begin = pos;
+    while (pos < text.size() && (isLetter(text[pos]) || isDigit(text[pos]) || text[pos] == '_')) ++pos;
+    const std::string_view name = text.substr(begin, pos - begin);
+    if (!name.empty() && (isDigit(name[0]) || name.size() > kLongest))
+      return refuse("a name has 1 to 31 letters and digits, a letter first");
+    if (!name.empty()) c.variables.setName(name, number);
+    pos = skipBlanks(text, pos);
+    if (pos >= text.size() || (text[pos] != ',' && text[pos] != ']')) return refuse("',' or ']' is expected");
+  }
+  c.block.statement = pos + 1;
+  return true;
 }
 
 }  // namespace
@@ -82,6 +109,8 @@ Go IsoControl::statement() {
       return goTo(pos);
     case LineKind::kOutput:
       return outputStatement(c) ? Go::kOn : alarm();
+    case LineKind::kNames:
+      return nameVariables(c) && endStatement(c, c.block.statement) ? Go::kOn : alarm();
     case LineKind::kBlock:
       break;
   }
@@ -116,6 +145,11 @@ Go IsoControl::behindIf() {
     return stopAtAlarm();
   }
   if (block.kind != LineKind::kBlock) return statement();
+  if (!c.dialect.rules.words_behind_if) {
+    c.alarm(SharedAlarm::kMixedBlock, "", "only GOTO or a statement of the macro language stands behind IF",
+            {static_cast<int>(pos) + 1, static_cast<int>(block.text.size()) + 1});
+    return stopAtAlarm();
+  }
   const bool numbered = block.number >= 0;
   const int skip = block.skip;
   if (!lexer_.lexRest(pos, block)) {
@@ -143,8 +177,9 @@ Go IsoControl::goTo(std::size_t pos) {
     return stopAtAlarm();
   }
   const double number = std::round(target.number);
-  if (target.vacant || number < 0.0 || number > 99999999.0) {
-    c.fail(SharedAlarm::kBlockNotFound,
+  const IsoRules& rules = c.dialect.rules;
+  if (target.vacant || !(number >= static_cast<double>(rules.lowest_jump) && number <= 99999999.0)) {
+    c.fail(SharedAlarm::kJumpTarget,
            target.vacant ? "block not found: the number of GOTO is vacant"
                          : fmt::format("block N{} not found", target.number),
            {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
@@ -152,7 +187,18 @@ Go IsoControl::goTo(std::size_t pos) {
   }
   if (!endStatement(c, pos)) return stopAtAlarm();
   CallFrame& frame = c.calls.top();
-  return jump(frame, static_cast<std::int64_t>(number), frame.next) ? Go::kOn : stopAtAlarm();
+  const std::size_t from = c.calls.lineIndex();
+  if (!jump(frame, static_cast<std::int64_t>(number), frame.next, SharedAlarm::kJumpTarget))
+    return stopAtAlarm();
+  if (!rules.loops_are_closed) return Go::kOn;
+  const LoopIndex::Mark* const loop = frame.text->loops().entered(from, frame.next);
+  if (loop == nullptr) return Go::kOn;
+  c.fail("goto-into-loop",
+         fmt::format("GOTO{0} would enter the loop DO{1} of line {2} without its start: put N{0} in front of "
+                     "that line, or leave the loop",
+                     static_cast<std::int64_t>(number), loop->number, loop->line + 1),
+         {static_cast<int>(begin) + 1, static_cast<int>(pos) + 1});
+  return stopAtAlarm();
 }
 
 Go IsoControl::enterLoop(std::size_t pos) {

@@ -49,7 +49,7 @@ namespace mcode {
 inline constexpr std::int32_t kStop = 0, kOptionalStop = 1, kEnd = 2, kEndAndRewind = 30;
 inline constexpr std::int32_t kClockwise = 3, kCounterClockwise = 4, kSpindleStop = 5, kOrient = 19;
 inline constexpr std::int32_t kToolChange = 6;
-inline constexpr std::int32_t kCoolantOn = 8, kCoolantOff = 9;
+inline constexpr std::int32_t kSecondCoolantOn = 7, kCoolantOn = 8, kCoolantOff = 9;
 inline constexpr std::int32_t kFirstRange = 11, kLastRange = 18;  // of the spindle
 inline constexpr std::int32_t kInterruptOn = 96, kInterruptOff = 97;
 inline constexpr std::int32_t kCall = 98, kReturn = 99;

@@ -4,12 +4,15 @@
 // follows.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
 
 #include "core/nc/iso/model/codes.h"
 #include "core/nc/iso/model/program_store.h"
+#include "core/nc/iso/model/system_calls.h"
 #include "core/nc/iso/parameters/parameter_table.h"
 #include "core/nc/macro/formula_language.h"
 #include "core/nc/text/alarms.h"
@@ -25,6 +28,18 @@ struct IsoState;
 class MakerData {
  public:
   virtual ~MakerData() = default;
+};
+
+struct ArgumentRules;
+struct Arguments;
+
+/// What M98 and its like ask for.
+struct SubprogramCall {
+  std::int64_t number = -1;    ///< O number; -1: the file or program of a name
+  std::int64_t count = 1;      ///< 0: nothing is called
+  std::int64_t block = -1;     ///< N number to begin with; -1: at the head
+  bool local = false;          ///< the program in hand
+  bool folders_first = false;  ///< other programs of the file come last
 };
 
 /// The system variables of a channel: banks that its variables ask.
@@ -58,8 +73,14 @@ struct IsoRules {
   bool keeps_return_level = false;      ///< the end of a drilling cycle leaves G98 and G99 as they are
   bool cycles_in_compensation = false;  ///< drilling cycles run under G41 and G42
   bool motion_or_cycle =
-      false;            ///< of a motion code and a cycle in a block the later one holds; false: clash
-  int local_call = -1;  ///< M code whose P is a block N of the same program to call; -1: none
+      false;                    ///< of a motion code and a cycle in a block the later one holds; false: clash
+  int local_call = -1;          ///< M code whose P is a block N of the same program to call; -1: none
+  bool words_behind_if = true;  ///< IF[...] G0 X1; false: only statements of the macro language
+  bool loops_are_closed = false;    ///< GOTO cannot enter a loop behind its DO
+  std::int64_t lowest_jump = 0;     ///< smallest block number of GOTO
+  bool channel_in_messages = true;  ///< messages show the channel beside their number
+  bool names_output = true;         ///< the first DPRNT behind POPEN 31 names the file; false: POPEN alone,
+                                    ///< and what is written goes to `macro.txt`
 };
 
 struct IsoDialect {
@@ -67,8 +88,8 @@ struct IsoDialect {
   const AlarmTable& alarms;
   const CodeIndex& codes;
   const ParameterTable& parameters;
-  const FormulaLanguage& formulas;  ///< whose variables are #n
-  LexRules lexing = {};             ///< formulas and names of axes come from the channel
+  std::reference_wrapper<const FormulaLanguage> formulas;  ///< whose variables are #n
+  LexRules lexing = {};  ///< formulas and names of axes come from the channel
   std::span<const IncrementWords> increments = {};
   ProgramLayout layout = ProgramLayout::kOneInAFile;
   MessageNumbers messages = {};
@@ -78,6 +99,15 @@ struct IsoDialect {
   bool (*work_system)(IsoContext&, BlockPlan&, const GCode&, int& id) = nullptr;
   /// A last look at a block that is planned. Null: there is none. False: an error was reported.
   PlanFunction check_block = nullptr;
+  /// What a call of the family of M98 says; `code` is its M number. False: reported. Null: P is the number,
+  /// L the repetitions.
+  bool (*subprogram)(IsoContext&, int code, SubprogramCall&) = nullptr;
+  /// The block in hand as arguments of a macro. False: reported. Null: as nct does it.
+  bool (*arguments)(IsoContext&, const ArgumentRules&, Arguments&) = nullptr;
+  /// Letters that parameters turn into calls of subprograms.
+  std::span<const SystemLetter> letters = kSystemLetters;
+  /// Into how many increments ROUND divides the unit of a word. Null: it gives whole numbers everywhere.
+  double (*steps_per_unit)(const IsoContext&, Address) = nullptr;
   /// Makes the system variables of a channel known to its variables. Null: there are none.
   std::unique_ptr<SystemVariables> (*system_variables)(IsoContext&) = nullptr;
   /// Makes what the maker's rules keep of a channel (IsoContext::maker). Null: nothing.

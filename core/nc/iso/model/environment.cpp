@@ -1,10 +1,17 @@
 #include "core/nc/iso/model/environment.h"
 
+#include "core/nc/iso/context/context.h"
+
 namespace proveout::nc {
 
 int IsoMacroEnvironment::axisNumber(std::string_view name) const {
   const int axis = axes_.find(name);
   return axis < 0 ? -1 : axes_.at(axis).number;
+}
+
+double IsoMacroEnvironment::stepsPerUnit(Address address) const {
+  const auto steps = context_.dialect.steps_per_unit;
+  return steps != nullptr ? steps(context_, address) : 1.0;
 }
 
 MacroEnvironment::ParameterAnswer IsoMacroEnvironment::parameter(int number, int bit, int index) const {

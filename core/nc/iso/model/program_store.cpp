@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/assert.h"
@@ -10,23 +11,54 @@ namespace proveout::nc {
 
 ProgramStore::Loaded ProgramStore::main() { return load(source_.mainProgram()); }
 
-ProgramStore::Loaded ProgramStore::byNumber(std::uint32_t caller, std::int64_t number) {
-  const std::uint64_t key = (std::uint64_t{caller} << 32) | static_cast<std::uint32_t>(number);
-  if (const auto found = by_number_.find(key); found != by_number_.end()) return known(found->second);
-  if (const Loaded here = inFile(texts_[caller]->path(), number); here.text != nullptr) {
-    by_number_[key] = here.file;
-    return here;
-  }
+namespace {
+
+/// The file names that controls with several programs in a file know for a number.
+SubprogramQuery queryOf(ProgramLayout layout, std::int64_t number) {
   SubprogramQuery query;
-  query.caller = texts_[caller]->path();
   if (number <= 9999) query.stems.push_back(fmt::format("O{:04}", number));
-  query.stems.push_back(fmt::format("O{:08}", number));
+  if (layout == ProgramLayout::kOneInAFile) {
+    query.stems.push_back(fmt::format("O{:08}", number));
+    return query;
+  }
+  const auto add = [&](std::string stem) {
+    if (std::find(query.stems.begin(), query.stems.end(), stem) == query.stems.end())
+      query.stems.push_back(std::move(stem));
+  };
+  add(fmt::format("O{}", number));
+  add(fmt::format("O{:08}", number));
+  if (number <= 9999) add(fmt::format("{:04}", number));
+  add(fmt::format("{}", number));
+  query.extensions = {"", ".nc", ".tap", ".eia", ".txt", ".min", ".cnc"};
+  return query;
+}
+
+}  // namespace
+
+ProgramStore::Loaded ProgramStore::byNumber(std::uint32_t caller, std::int64_t number, bool folders_first) {
+  constexpr std::uint64_t kFoldersFirst = std::uint64_t{1} << 63;
+  const std::uint64_t key = ((std::uint64_t{caller} << 32) | static_cast<std::uint32_t>(number)) |
+                            (folders_first ? kFoldersFirst : 0);
+  if (const auto found = by_number_.find(key); found != by_number_.end()) return known(found->second);
+  const auto keep = [&](Loaded loaded) {
+    if (loaded.text != nullptr) by_number_[key] = loaded.file;
+    return loaded;
+  };
+  const std::string& path = texts_[caller]->path();
+  if (!folders_first) {
+    if (const Loaded here = inFile(path, number); here.text != nullptr) return keep(here);
+  }
+  SubprogramQuery query = queryOf(layout_, number);
+  query.caller = path;
   Loaded loaded = load(source_.subprogram(query));
-  if (loaded.text != nullptr) by_number_[key] = loaded.file;
-  return loaded;
+  if (folders_first && loaded.text == nullptr) {
+    if (const Loaded here = inFile(path, number); here.text != nullptr) return keep(here);
+  }
+  return keep(loaded);
 }
 
 ProgramStore::Loaded ProgramStore::system(std::int64_t number, int channel) {
+  if (layout_ == ProgramLayout::kSeveralInAFile) return byNumber(0, number);
   constexpr std::uint64_t kSystem = 0x8000'0000;  // no file has such an index
   const std::uint64_t key =
       ((kSystem + static_cast<std::uint64_t>(channel)) << 32) | static_cast<std::uint32_t>(number);
@@ -49,6 +81,10 @@ ProgramStore::Loaded ProgramStore::builtIn(const std::string& name, std::string_
 ProgramStore::Loaded ProgramStore::byPath(std::uint32_t caller, const std::string& path) {
   const std::string key = fmt::format("{}\n{}", caller, path);
   if (const auto found = by_name_.find(key); found != by_name_.end()) return known(found->second);
+  if (const Loaded here = inFile(texts_[caller]->path(), -1, path); here.text != nullptr) {
+    by_name_[key] = here.file;
+    return here;
+  }
   SubprogramQuery query;
   query.caller = texts_[caller]->path();
   query.path = path;
@@ -66,7 +102,7 @@ ProgramStore::Loaded ProgramStore::load(const Result<ProgramText>& text) {
   auto whole = std::make_unique<SourceText>(text->name, text->path, std::move(*utf8));
   whole->setEncoding(encoding);
   std::vector<ProgramHead> heads;
-  if (layout_ == ProgramLayout::kSeveralInAFile) heads = programHeads(whole->lines());
+  if (layout_ == ProgramLayout::kSeveralInAFile) heads = programHeads(whole->lines(), true);
   Loaded loaded;
   if (heads.size() > 1) {
     loaded = keep(std::make_unique<SourceText>(*whole, 0, heads[1].line));
@@ -87,13 +123,14 @@ ProgramStore::Loaded ProgramStore::keep(std::unique_ptr<SourceText> text) {
 }
 
 /// The program of that number in a file with several; without a text where it has none.
-ProgramStore::Loaded ProgramStore::inFile(const std::string& path, std::int64_t number) {
+ProgramStore::Loaded ProgramStore::inFile(const std::string& path, std::int64_t number,
+                                          std::string_view name) {
   const auto file = files_.find(path);
   if (file == files_.end()) return {};
   const std::vector<ProgramHead>& heads = file->second.heads;
   const SourceText& whole = *file->second.text;
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    if (heads[k].number != number) continue;
+    if (name.empty() ? heads[k].number != number : heads[k].name != name) continue;
     if (k == 0) return known(by_path_.at(path));
     const std::size_t end = k + 1 < heads.size() ? heads[k + 1].line : whole.lines().size();
     return keep(std::make_unique<SourceText>(whole, heads[k].line, end));

@@ -40,8 +40,10 @@ class ProgramStore {
   Loaded main();
   /// Program `number` (M98 P, G65 P, system calls: "O0011", "O00000011") as seen from file `caller`. The
   /// answer is kept: a second call of the same number builds no string.
-  Loaded byNumber(std::uint32_t caller, std::int64_t number);
-  /// Program `number` of the channel's system macros ("O9010").
+  /// `folders_first`: other programs of the caller's file come last.
+  Loaded byNumber(std::uint32_t caller, std::int64_t number, bool folders_first = false);
+  /// Program `number` of the channel's system macros ("O9010"); with several programs in a file they lie
+  /// where all programs do.
   Loaded system(std::int64_t number, int channel);
   /// A program that is part of the control; `name` is its path too.
   Loaded builtIn(const std::string& name, std::string_view text);
@@ -54,7 +56,7 @@ class ProgramStore {
  private:
   Loaded load(const Result<ProgramText>& text);
   Loaded keep(std::unique_ptr<SourceText> text);
-  Loaded inFile(const std::string& path, std::int64_t number);
+  Loaded inFile(const std::string& path, std::int64_t number, std::string_view name = {});
   Loaded known(std::uint32_t file) const { return {texts_[file].get(), file, Failure::kNone, {}}; }
 
   const ProgramSource& source_;

@@ -14,10 +14,6 @@ constexpr int kG0 = 1000;  ///< in a parameter: G0, since 0 means none
 std::int32_t tenths(double code) { return static_cast<std::int32_t>(std::lround(std::abs(code) * 10.0)); }
 std::int32_t whole(double value) { return static_cast<std::int32_t>(std::lround(value)); }
 
-MacroParam next(MacroParam first, int offset) {
-  return static_cast<MacroParam>(static_cast<int>(first) + offset);
-}
-
 }  // namespace
 
 bool SystemCalls::find(const std::vector<Range>& ranges, std::int32_t code10, Address letter,
@@ -55,40 +51,40 @@ std::string systemCodeName(std::int32_t code) {
 }
 
 void SystemCalls::rebuild(const IsoParameters& parameters) {
-  *this = SystemCalls();
+  *this = SystemCalls(letters_known_);
   revision_ = parameters.revision();
   const auto value = [&](MacroParam p) { return parameters[p]; };
   constexpr int kSingles = 10;
   for (int k = 0; k < kSingles; ++k) {
-    const double g = value(next(MacroParam::kG9010, k));
+    const double g = value(paramBehind(MacroParam::kG9010, k));
     if (g != 0.0) g_.push_back({std::abs(g) == kG0 ? 0 : tenths(g), 10, 1, 9010 + k, g < 0.0});
-    const double sub = value(next(MacroParam::kM9000, k)), macro = value(next(MacroParam::kM9020, k));
+    const double sub = value(paramBehind(MacroParam::kM9000, k)),
+                 macro = value(paramBehind(MacroParam::kM9020, k));
     if (sub != 0.0) m_subprograms_.push_back({10 * whole(sub), 10, 1, 9000 + k, false});
     if (macro != 0.0) m_macros_.push_back({10 * whole(macro), 10, 1, 9020 + k, false});
   }
   const auto block = [&](std::vector<Range>& ranges, MacroParam start, std::int32_t step10) {
     const double first = value(start);
-    const std::int32_t program = whole(value(next(start, 1))), count = whole(value(next(start, 2)));
+    const std::int32_t program = whole(value(paramBehind(start, 1))),
+                       count = whole(value(paramBehind(start, 2)));
     if (count > 0) ranges.push_back({tenths(first), step10, count, program, first < 0.0});
   };
   block(g_, MacroParam::kGBlock, 10);
   block(g_, MacroParam::kGDecimalBlock, 1);
   block(m_subprograms_, MacroParam::kMSubprogramBlock, 10);
   block(m_macros_, MacroParam::kMMacroBlock, 10);
-  constexpr std::array<Address, 5> kLetters{'A', 'B', 'C', 'S', 'T'};
-  for (int k = 0; k < static_cast<int>(kLetters.size()); ++k) {
-    if (value(next(MacroParam::kLetterA, k)) != 0.0)
-      addLetter(kLetters[static_cast<std::size_t>(k)], 9030 + k, 195 + k);
+  for (const SystemLetter& row : letters_known_) {
+    if (value(row.parameter) != 0.0) addLetter(row.letter, row.program, row.variable);
   }
   constexpr int kAsciiLetters = 4;
   for (int k = 0; k < kAsciiLetters; ++k) {
-    const std::int32_t ascii = whole(value(next(MacroParam::kAsciiLetter, k)));
-    const std::int32_t program = whole(value(next(MacroParam::kAsciiProgram, k)));
+    const std::int32_t ascii = whole(value(paramBehind(MacroParam::kAsciiLetter, k)));
+    const std::int32_t program = whole(value(paramBehind(MacroParam::kAsciiProgram, k)));
     if (ascii == 0) continue;
     const auto letter = static_cast<Address>(ascii);
     if (letter < 'A' || letter > 'Z' || AddressSet("GNOM").has(letter)) {
       fault_ = fmt::format("{}: {} is the code of no letter that may call (A to Z without G, M, N, O)",
-                           parameters.name(next(MacroParam::kAsciiLetter, k)), ascii);
+                           parameters.name(paramBehind(MacroParam::kAsciiLetter, k)), ascii);
     } else {
       addLetter(letter, program, 191 + k);
     }
@@ -99,7 +95,7 @@ void SystemCalls::rebuild(const IsoParameters& parameters) {
     if (!g(code10, call)) continue;
     fault_ = fmt::format("G65, G66, G66.1 and G67 cannot call system macros ({} to {})",
                          parameters.name(MacroParam::kG9010),
-                         parameters.name(next(MacroParam::kGDecimalBlock, 2)));
+                         parameters.name(paramBehind(MacroParam::kGDecimalBlock, 2)));
   }
 }
 

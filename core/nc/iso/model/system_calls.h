@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,23 @@ struct SystemCall {
   int variable = 0;          ///< letters: the global that gets the value
 };
 
+/// A letter that calls a subprogram where its parameter says so.
+struct SystemLetter {
+  Address letter;
+  MacroParam parameter;
+  std::int32_t program;
+  int variable;  ///< gets the value of the word
+};
+constexpr MacroParam paramBehind(MacroParam first, int offset) {
+  return static_cast<MacroParam>(static_cast<int>(first) + offset);
+}
+inline constexpr std::array<SystemLetter, 5> kSystemLetters{
+    {{'A', MacroParam::kLetterA, 9030, 195},
+     {'B', paramBehind(MacroParam::kLetterA, 1), 9031, 196},
+     {'C', paramBehind(MacroParam::kLetterA, 2), 9032, 197},
+     {'S', paramBehind(MacroParam::kLetterA, 3), 9033, 198},
+     {'T', paramBehind(MacroParam::kLetterA, 4), 9034, 199}}};
+
 /// One number for each code that can call: G tenfold, M and letters beyond all G.
 constexpr std::int32_t systemCode(Address letter, std::int32_t code10) {
   constexpr std::int32_t kLetters = 1'100'000'000, kM = 1'000'000'000;
@@ -32,6 +50,7 @@ constexpr bool isSystemG(std::int32_t code) { return code >= 0 && code < 1'000'0
 /// The assignments of N1704 to N1754, worked out anew when a parameter has changed.
 class SystemCalls {
  public:
+  explicit SystemCalls(std::span<const SystemLetter> letters = kSystemLetters) : letters_known_(letters) {}
   /// Call before each look-up; costs a comparison.
   void update(const IsoParameters& parameters) {
     if (revision_ != parameters.revision()) rebuild(parameters);
@@ -66,6 +85,7 @@ class SystemCalls {
   void rebuild(const IsoParameters& parameters);
   void addLetter(Address letter, std::int32_t program, int variable);
 
+  std::span<const SystemLetter> letters_known_;
   std::uint32_t revision_ = 0;
   std::vector<Range> g_, m_macros_, m_subprograms_;
   std::vector<Letter> letters_;

@@ -36,6 +36,9 @@ enum class MacroParam : std::uint16_t {
   kInterruptFromSystem,
   kInterruptOn,
   kInterruptOff,
+  kSubNesting,    ///< most subprograms that may be open; 0: as many as all kinds of calls together
+  kMacroNesting,  ///< the same of macros
+  kMainPasses,    ///< M99 in the main program: how often that is run; 0: once
   kCount
 };
 constexpr ParamId paramId(MacroParam p) { return {ParamChapter::kMacro, static_cast<std::uint16_t>(p)}; }

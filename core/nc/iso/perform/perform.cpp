@@ -90,12 +90,16 @@ bool function(IsoContext& c, const BlockPlan& plan, const MFunction& found, int 
       return sendEvent(c, event::Stop{code, ""});
     case mcode::kOptionalStop:
       return sendEvent(c, event::OptionalStop{code, c.settings.optional_stop});
+    case mcode::kSecondCoolantOn:
+      if (found.own == nullptr) break;
+      return sendEvent(c, event::Coolant{code, true});
     case mcode::kCoolantOn:
     case mcode::kCoolantOff:
       return sendEvent(c, event::Coolant{code, m == mcode::kCoolantOn});
     default:
-      return sendEvent(c, event::Function{code, {}});
+      break;
   }
+  return sendEvent(c, event::Function{code, {}});
 }
 
 }  // namespace

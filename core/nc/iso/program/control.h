@@ -75,16 +75,21 @@ class IsoControl final : private FlowControl<CallFrame> {
   Go flow(const BlockPlan& plan);
   Go flow(const FlowRequest& request);
   bool returnWords(FlowRequest& request);
-  Go call();
   /// A call of block N`P` of the program in hand (IsoRules::local_call).
   Go callLocal();
+  Go call(int code);
+  /// The frame of a call by IsoDialect::subprogram. False: reported.
+  bool subprogramFrame(int code, CallFrame& frame);
   /// The program of P or <file> of the block, as seen from file `caller`.
   bool loadCalled(CallFrame& frame, std::string_view code, std::uint32_t caller);
   Go returnFrom(const FlowRequest& request);
   Go alarm();
   Go stopAtAlarm();
   /// To block N`block` of the frame's text; looks for it from line index `from` on, then from the start.
-  bool jump(CallFrame& frame, std::int64_t block, std::size_t from = 0);
+  bool jump(CallFrame& frame, std::int64_t block, std::size_t from = 0,
+            SharedAlarm missing = SharedAlarm::kBlockNotFound);
+  /// False: more programs would be open than the control allows, reported.
+  bool mayNest(const CallFrame& frame);
   void warnRepeated(const CallFrame& frame, std::int64_t block, std::size_t from);
 
   // macro/statements.cpp
@@ -129,6 +134,7 @@ class IsoControl final : private FlowControl<CallFrame> {
   TapeFrames tape_;
   SubprogramWords subprograms_;                                     ///< of the block in hand
   InterruptSwitch interrupt_switch_ = InterruptSwitch::kNone;       ///< of the block in hand
+  double main_passes_ = 0;                                          ///< of the main program, ended by M99
   CallFrame interrupt_frame_;                                       ///< with kOn
   MacroCall macro_call_;                                            ///< of the block in hand
   bool calls_macro_ = false;                                        ///< it is one

@@ -33,8 +33,8 @@ constexpr std::size_t kMaxFileArgument = 60;
 
 Go IsoControl::flow(const BlockPlan& plan) {
   IsoContext& c = context_;
-  if (plan.flow->code == mcode::kCall) return call();
   if (plan.flow->code == c.dialect.rules.local_call) return callLocal();
+  if (plan.flow->phase == MPhase::kCall && plan.flow->code != mcode::kReturn) return call(plan.flow->code);
   FlowRequest request;
   request.code = plan.flow->code;
   // A jump that fails leaves nowhere to go on: it always stops the run.
@@ -129,13 +129,41 @@ bool IsoControl::loadCalled(CallFrame& frame, std::string_view code, std::uint32
   return takeProgram(c, loaded, frame);
 }
 
-Go IsoControl::call() {
+bool IsoControl::subprogramFrame(int code, CallFrame& frame) {
+  IsoContext& c = context_;
+  SubprogramCall call;
+  if (!c.dialect.subprogram(c, code, call)) return false;
+  frame.total = call.count;
+  const CallFrame& caller = c.calls.top();
+  if (call.local) {
+    frame.setProgram(*caller.text, caller.file);
+  } else if (call.number < 0) {
+    if (!loadCalled(frame, fmt::format("M{}", code), caller.file)) return false;
+  } else if (!takeProgram(c, c.programs.byNumber(caller.file, call.number, call.folders_first), frame)) {
+    return false;
+  }
+  if (call.block < 0) return true;
+  const SourceText::Label label = frame.text->label(call.block);
+  if (label.line_index == SourceText::kNoLabel) {
+    return c.fail(SharedAlarm::kBlockNotFound, fmt::format("number not found: there is no block N{} in {}",
+                                                           call.block, frame.text->name()));
+  }
+  frame.first = static_cast<std::size_t>(label.line_index);
+  return true;
+}
+
+Go IsoControl::call(int code) {
   IsoContext& c = context_;
   CallFrame frame;
   frame.kind = CallKind::kSubprogram;
-  const Word* l = c.word('L');
-  if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
-  if (!loadCalled(frame, "M98", c.calls.top().file)) return alarm();
+  if (c.dialect.subprogram != nullptr) {
+    if (!subprogramFrame(code, frame)) return alarm();
+    if (frame.total == 0) return Go::kOn;
+  } else {
+    const Word* l = c.word('L');
+    if (l && !integerWord(c, *l, 1, 99999999, frame.total)) return alarm();
+    if (!loadCalled(frame, "M98", c.calls.top().file)) return alarm();
+  }
   if (!c.calls.hasDeferred()) return open(frame);
   c.calls.defer(frame);
   return Go::kOn;
@@ -175,12 +203,11 @@ Go IsoControl::callLocal() {
   return Go::kOn;
 }
 
-bool IsoControl::jump(CallFrame& frame, std::int64_t block, std::size_t from) {
+bool IsoControl::jump(CallFrame& frame, std::int64_t block, std::size_t from, SharedAlarm missing) {
   IsoContext& c = context_;
   const SourceText::Label label = frame.text->label(block, from);
   if (label.line_index == SourceText::kNoLabel) {
-    return c.fail(SharedAlarm::kBlockNotFound,
-                  fmt::format("block N{} not found: {}", block, frame.text->name()));
+    return c.fail(missing, fmt::format("block N{} not found: {}", block, frame.text->name()));
   }
   if (label.repeated) warnRepeated(frame, block, from);
   frame.next = static_cast<std::size_t>(label.line_index);
@@ -213,7 +240,18 @@ Go IsoControl::returnFrom(const FlowRequest& request) {
   CallFrame& frame = c.calls.top();
   if (c.calls.depth() == 1) {
     if (request.block >= 0) return jump(frame, request.block) ? Go::kOn : stopAtAlarm();
-    c.warn("main-m99", "M99 in the main program starts it again: one pass is simulated", {}, Severity::kNote);
+    const double passes = std::max(1.0, c.parameters[MacroParam::kMainPasses]);
+    if (++main_passes_ < passes) {
+      frame.next = frame.first;
+      tape_.skipLeader(c, frame);
+      lexer_.setInComment(false);
+      return Go::kOn;
+    }
+    c.warn("main-m99",
+           passes > 1.0 ? fmt::format("M99 in the main program starts it again: {} passes are simulated ({})",
+                                      passes, c.parameters.name(MacroParam::kMainPasses))
+                        : "M99 in the main program starts it again: one pass is simulated",
+           {}, Severity::kNote);
     return run_.finish("M99", ProgramEnd::kEndOfProgram);
   }
   if (request.count >= 0) frame.call.repetitions = static_cast<int>(request.count) + 1;

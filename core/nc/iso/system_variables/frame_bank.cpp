@@ -18,13 +18,29 @@ constexpr int kRotationLast = kRotations + (kRotatedBasic + kHighExtended - 1) *
 // Dynamic offsets: active number, active value, then the tables.
 constexpr int kDynamicLow = 5500, kDynamicHigh = 117000;
 
+constexpr auto kNctFrames = std::to_array<FrameNumbers>({
+    {kBasicLow, kBasicSystems, kLowAxes, kLowAxes, 1, 0},
+    {kBasicHigh, kBasicSystems, kHighAxes, kHighAxes, 1, 0},
+    {kExtendedLow, kLowExtended, kLowAxes, kLowAxes, 1, kFirstExtended},
+    {kExtendedHigh, kHighExtended, kHighAxes, kHighAxes, 1, kFirstExtended},
+});
+
 }  // namespace
 
+FrameNumbering nctFrames() { return {kNctFrames}; }
+
 void FrameBank::addTo(VariableStore& store) {
-  store.addBank(kBasicLow, kBasicLow + kBasicSystems * kLowAxes - 1, *this);
-  store.addBank(kBasicHigh, kBasicHigh + kBasicSystems * kHighAxes - 1, *this);
-  store.addBank(kExtendedLow, kExtendedLow + kLowExtended * kLowAxes - 1, *this);
-  store.addBank(kExtendedHigh, kExtendedHigh + kHighExtended * kHighAxes - 1, *this);
+  for (const FrameNumbers& row : numbering_.offsets) {
+    if (row.axis_step == 1) {
+      store.addBank(row.first, row.first + row.systems * row.system_step - 1, *this);
+      continue;
+    }
+    for (int axis = 0; axis < row.axes; ++axis) {
+      const int first = row.first + axis * row.axis_step;
+      store.addBank(first, first + row.systems * row.system_step - 1, *this);
+    }
+  }
+  if (!numbering_.names) return;
   store.addBank(kRotations, kRotationLast, *this);
   store.addBank(kDynamicLow, kDynamicLow + (kDynamicSystems + 1) * kLowAxes, *this);
   store.addBank(kDynamicHigh, kDynamicHigh + (kDynamicSystems + 1) * kHighAxes, *this);
@@ -49,10 +65,20 @@ bool FrameBank::axisOf(int number, Cell& cell) const {
   return cell.axis >= 0;
 }
 
-FrameBank::Cell FrameBank::offsetCell(int number, int first, int axes) const {
+FrameBank::Cell FrameBank::offsetCell(int number) const {
   Cell cell;
-  cell.system = (number - first) / axes;
-  if (axisOf((number - first) % axes + 1, cell)) cell.kind = Cell::Kind::kOffset;
+  for (const FrameNumbers& row : numbering_.offsets) {
+    const int at = number - row.first;
+    const int size = row.axis_step == 1 ? row.systems * row.system_step : row.axes * row.axis_step;
+    if (at < 0 || at >= size) continue;
+    const bool by_axis = row.axis_step != 1;
+    const int axis = by_axis ? at / row.axis_step : at % row.system_step;
+    const int system = by_axis ? at % row.axis_step : at / row.system_step;
+    if (system >= row.systems || axis >= row.axes) continue;
+    cell.system = row.first_system + system;
+    if (axisOf(axis + 1, cell)) cell.kind = Cell::Kind::kOffset;
+    break;
+  }
   return cell;
 }
 
@@ -86,6 +112,7 @@ AxisPoint dynamicZeroNow(const IsoContext& c) {
 }  // namespace
 
 FrameBank::Cell FrameBank::find(int number) const {
+  if (!numbering_.names) return offsetCell(number);
   if (number >= kRotations) {
     Cell cell;
     const int row = (number - kRotations) / kRotationStep, plane = (number - kRotations) % kRotationStep;
@@ -94,15 +121,9 @@ FrameBank::Cell FrameBank::find(int number) const {
     cell.kind = plane < 3 ? Cell::Kind::kRotation : Cell::Kind::kNone;
     return cell;
   }
-  if (number >= kDynamicHigh) return dynamicCell(number);
-  if (number >= kExtendedHigh || (number >= kExtendedLow && number < kBasicHigh)) {
-    const bool high = number >= kExtendedHigh;
-    Cell cell = offsetCell(number, high ? kExtendedHigh : kExtendedLow, high ? kHighAxes : kLowAxes);
-    cell.system += kFirstExtended;
-    return cell;
-  }
-  if (number >= kBasicHigh) return offsetCell(number, kBasicHigh, kHighAxes);
-  return number >= kDynamicLow ? dynamicCell(number) : offsetCell(number, kBasicLow, kLowAxes);
+  const bool dynamic = number >= kDynamicHigh ||
+                       (number >= kDynamicLow && number <= kDynamicLow + (kDynamicSystems + 1) * kLowAxes);
+  return dynamic ? dynamicCell(number) : offsetCell(number);
 }
 
 VariableStatus FrameBank::read(int number, Value& out) {

@@ -16,17 +16,21 @@ constexpr int kMaxNumber = 999;
 constexpr int kFirstBox = 100, kFirstQuestion = 200, kLastBox = 299;
 constexpr int kOk = 1, kYes = 2;
 
-/// The code that the control shows: channel, number of the message, second number.
-std::string shown(int number) { return fmt::format("01{:04}00", number); }
+/// The code that the control shows: channel, number of the message, second number; or the number alone.
+std::string shown(const IsoContext& c, int number) {
+  return c.dialect.rules.channel_in_messages ? fmt::format("01{:04}00", number)
+                                             : fmt::format("{:04}", number);
+}
 
 }  // namespace
 
 void MessageBank::addTo(VariableStore& store) {
   store.addBank(kAlarm, kAlarm, *this);
   store.addBank(kStop, kStop, *this);
-  store.addBank(kMessage, kBox, *this);
   store.addSymbol({"ALM", kAlarm});
   store.addSymbol({"MSGSTP", kStop});
+  if (!boxes_) return;
+  store.addBank(kMessage, kBox, *this);
   store.addSymbol({"MSG", kMessage});
   store.addSymbol({"MSGBOX", kBox});
 }
@@ -67,7 +71,7 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
       return raise(number, text);
     case kStop:
       if (!c_.flushPipe()) return VariableStatus::kReported;
-      return send("stop", number, shown(c_.dialect.messages.stop + number), text, -1);
+      return send("stop", number, shown(c_, c_.dialect.messages.stop + number), text, -1);
     case kMessage:
       return send("message", number, fmt::format("MSG{:03}", number), text, -1);
     default:
@@ -78,14 +82,15 @@ VariableStatus MessageBank::write(int variable, const Value& value) {
             : number < kFirstQuestion                    ? kOk
                                                          : kYes;
   if (!c_.flushPipe()) return VariableStatus::kReported;
-  return send("box", number, shown(c_.dialect.messages.box + number), text, answer_);
+  return send("box", number, shown(c_, c_.dialect.messages.box + number), text, answer_);
 }
 
 VariableStatus MessageBank::raise(int number, const std::string& text) {
   const int code = c_.dialect.messages.alarm + number;
   c_.flushPipe();  // the program is carried out up to the block before
   const std::string detail = text.empty() ? "alarm of the program" : text;
-  c_.alarms.raise(code, fmt::format("{} ({})", detail, shown(code)));
+  c_.alarms.raise(
+      code, c_.dialect.rules.channel_in_messages ? fmt::format("{} ({})", detail, shown(c_, code)) : detail);
   c_.summary.end = ProgramEnd::kAlarm;
   return VariableStatus::kReported;
 }

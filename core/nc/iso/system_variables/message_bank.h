@@ -13,7 +13,8 @@ struct IsoContext;
 /// #3107 asks: its answer is that of the person at the machine, OK or yes unless told otherwise.
 class MessageBank : public VariableBank {
  public:
-  explicit MessageBank(IsoContext& context) : c_(context) {}
+  /// `boxes`: #3106 and #3107 are there.
+  explicit MessageBank(IsoContext& context, bool boxes = true) : c_(context), boxes_(boxes) {}
   void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int number, const Value& value) override;
@@ -25,6 +26,7 @@ class MessageBank : public VariableBank {
   VariableStatus send(const char* kind, int number, std::string code, const std::string& text, int answer);
 
   IsoContext& c_;
+  bool boxes_;
   int answer_ = 0;  ///< of the last message box
 };
 

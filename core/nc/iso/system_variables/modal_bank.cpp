@@ -44,7 +44,6 @@ constexpr auto kNames = std::to_array<Name>({{"A", kAux1},
                                              {"T", kT},
                                              {"WZP", kWorkSystemP}});
 
-constexpr int kGroups = 39;
 constexpr int kProgrammed = 4000, kExecuting = 4200, kInterrupted = 4400;
 
 /// What a word is for; nothing: no motion depends on it.
@@ -124,7 +123,7 @@ void ModalBank::addTo(VariableStore& store) {
   store.addBank(kProgrammed, kProgrammed + kLast, *this);
   store.addSymbol({"MAINO", kProgrammed});
   const auto add = [&](const char* kind, int base) {
-    store.addSymbol({std::string(kind) + "G", base + 1, 1, kGroups});
+    store.addSymbol({std::string(kind) + "G", base + 1, 1, rules_.groups});
     for (const Name& name : kNames)
       store.addSymbol({std::string(kind) + name.letters, base + 100 + name.word});
   };
@@ -133,10 +132,14 @@ void ModalBank::addTo(VariableStore& store) {
   add("INT", kInterrupted);
 }
 
+int ModalBank::numberOf(const SourceText& text) const {
+  return rules_.program != nullptr ? rules_.program(text) : programNumber(text.name());
+}
+
 VariableStatus ModalBank::read(int number, Value& out) {
   out = {};
   if (number == kProgrammed) {
-    out.number = programNumber(c_.calls.main().text->name());
+    out.number = numberOf(*c_.calls.main().text);
     return VariableStatus::kDone;
   }
   const int base = number >= kInterrupted ? kInterrupted : number >= kExecuting ? kExecuting : kProgrammed;
@@ -144,15 +147,17 @@ VariableStatus ModalBank::read(int number, Value& out) {
   const bool interrupted = base == kInterrupted;
   const IsoState& state = interrupted && c_.interrupted ? c_.interrupted->state : c_.state;
   const int word = index - 100;
-  bool known = index >= 1 && index <= kGroups;
-  if (known) {
+  bool known = index >= 1 && index <= rules_.groups;
+  if (known && rules_.code != nullptr) {
+    out.number = rules_.code(state, index);
+  } else if (known) {
     out.number = index < kGroupCount ? modalCode(state.active[static_cast<std::size_t>(index)]) : 0.0;
   } else if (word == kO) {
     known = true;
     out.number = interrupted && c_.interrupted ? c_.interrupted->program
-                 : base == kProgrammed
-                     ? programNumber((c_.last_called ? c_.last_called : c_.calls.main().text)->name())
-                     : programNumber(c_.calls.top().text->name());
+                 : base == kProgrammed && !rules_.program_in_hand
+                     ? numberOf(c_.last_called ? *c_.last_called : *c_.calls.main().text)
+                     : numberOf(*c_.calls.top().text);
   } else if (word == kWorkSystemP) {
     known = true;
     const int active = state.work_system >= kFirstExtended ? state.work_system - kFirstExtended + 1 : 0;

@@ -7,18 +7,33 @@ namespace proveout::nc {
 
 struct IsoContext;
 
+struct IsoState;
+class SourceText;
+
+/// How a control tells codes and programs. Defaults: as nct does.
+struct ModalRules {
+  double (*code)(const IsoState&, int group) = nullptr;  ///< of a group; null: modalCode() of the family's
+  int groups = 39;
+  int (*program)(const SourceText&) = nullptr;  ///< number of a program; null: by the name of its file
+  /// #4115 is the program in hand; false: the one that was called last.
+  bool program_in_hand = false;
+};
+
 /// Read-only. Last programmed and executing are the same here, since blocks run one after the other; only of
 /// programs and extended work systems both are known. Variables of the interrupted block are vacant unless an
 /// interrupt macro runs.
 class ModalBank : public VariableBank {
  public:
-  explicit ModalBank(const IsoContext& context) : c_(context) {}
+  explicit ModalBank(const IsoContext& context, const ModalRules& rules = {}) : c_(context), rules_(rules) {}
   void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int, const Value&) override { return VariableStatus::kReadOnly; }
 
  private:
+  int numberOf(const SourceText& text) const;
+
   const IsoContext& c_;
+  ModalRules rules_;
 };
 
 /// Number of a program by the name of its file: 11 of "O0011.nc"; 0 if it is not O and 1 to 8 digits.

@@ -23,6 +23,7 @@ struct Row {
   int high;
   Reading reading;
   const char* name;  ///< or null
+  bool only_nct = false;
 };
 constexpr auto kRows = std::to_array<Row>({
     {5000, 100000, Reading::kBlockEnd, "ABSIO"},
@@ -31,10 +32,10 @@ constexpr auto kRows = std::to_array<Row>({
     {5060, 100150, Reading::kSkip, "ABSKP"},
     {5080, 100200, Reading::kLength, "TOFS"},
     {5100, 100250, Reading::kNothing, "SVERR"},
-    {-1, 100650, Reading::kNothing, "MIRTP"},
+    {-1, 100650, Reading::kNothing, "MIRTP", true},
     {5180, 100800, Reading::kNothing, "DIST"},
-    {-1, 151000, Reading::kSkipOther, nullptr},
-    {-1, 151100, Reading::kSkipMachine, nullptr},
+    {-1, 151000, Reading::kSkipOther, nullptr, true},
+    {-1, 151100, Reading::kSkipMachine, nullptr, true},
 });
 
 /// Coordinates without (`tip`) or with the length offset, of the tilted plane that is programmed in or of the
@@ -85,8 +86,8 @@ double unitOfReading(const IsoContext& c, Reading reading, int axis) {
   return modal.mode == VirtualMode::kPolar ? c.state.unitScale() : modal.mmPerDegree();
 }
 
-AxisPoint pointOf(const IsoContext& c, Reading reading) {
-  const bool tip = c.parameters.flag(DataParam::kTipPositions),
+AxisPoint pointOf(const IsoContext& c, Reading reading, bool probe_tip) {
+  const bool tip = (probe_tip && reading == Reading::kSkip) || c.parameters.flag(DataParam::kTipPositions),
              tilted = c.parameters.flag(DataParam::kProgramCoordinates);
   const SkipPosition& skip = c.registers.skip;
   switch (reading) {
@@ -125,6 +126,7 @@ void recordSkip(IsoContext& c, const AxisPoint& machine) {
 
 void PositionBank::addTo(VariableStore& store) {
   for (const Row& row : kRows) {
+    if (row.only_nct && !rules_.nct_numbers) continue;
     if (row.low >= 0) store.addBank(row.low + 1, row.low + kLowAxes, *this);
     store.addBank(row.high + 1, row.high + kHighAxes, *this);
     if (row.name) store.addSymbol({row.name, row.high + 1, 1, kHighAxes});
@@ -137,7 +139,7 @@ VariableStatus PositionBank::read(int number, Value& out) {
     if (!low && (number <= row.high || number > row.high + kHighAxes)) continue;
     const int axis = c_.axes.byNumber(number - (low ? row.low : row.high));
     if (axis < 0) return VariableStatus::kUnknown;
-    const double value = pointOf(c_, row.reading)[axis];
+    const double value = pointOf(c_, row.reading, rules_.probe_tip)[axis];
     const double shown = row.reading == Reading::kLength ? value : shownPosition(c_, axis, value);
     out = {shown / unitOfReading(c_, row.reading, axis)};
     const bool programmed = row.reading == Reading::kBlockEnd || row.reading == Reading::kPresent;

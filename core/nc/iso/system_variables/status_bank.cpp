@@ -51,6 +51,7 @@ void StatusBank::addTo(VariableStore& store) {
                                     {kPalletPlace, kPalletLast},
                                     {kPalletUserFirst, kPalletUserLast},
                                     {kSearchAndTest, kNoExactStop}}) {
+    if (first >= kPalletPlace && first <= kPalletUserLast && !rules_.pallets) continue;
     store.addBank(first, last, *this);
   }
   add("CLOCK1", kClock);
@@ -99,11 +100,11 @@ VariableStatus StatusBank::read(int number, Value& out) {
       out = {wholeMs(c_.clock.now_s() * 1000.0 - clock_start_ms_)};
       break;
     case kCutting:
-      out = {wholeMs(c_.clock.cutting_s() * 1000.0 - cutting_start_ms_)};
+      out = {wholeMs(c_.clock.cutting_s() * 1000.0 - cutting_start_ms_) / rules_.cutting_unit_ms};
       break;
     case kControl1:
     case kNoSingleBlock:
-      out = is(bits.no_single_block);
+      out = {(bits.no_single_block ? 1.0 : 0.0) + (number == kControl1 && no_wait_ ? 2.0 : 0.0)};
       break;
     case kControl2:
       out = {(bits.no_stop ? 1.0 : 0.0) + (bits.no_override ? 2.0 : 0.0) + (bits.no_exact_stop ? 4.0 : 0.0)};
@@ -178,6 +179,7 @@ VariableStatus StatusBank::writeBits(int number, const Value& value) {
   const auto set = static_cast<unsigned>(whole);
   if (number == kControl1) {
     bits.no_single_block = (set & 1u) != 0;
+    no_wait_ = rules_.waits_for_m && (set & 2u) != 0;
   } else {
     bits.no_stop = (set & 1u) != 0;
     bits.no_override = (set & 2u) != 0;
@@ -193,7 +195,7 @@ VariableStatus StatusBank::write(int number, const Value& value) {
       clock_start_ms_ = c_.clock.now_s() * 1000.0 - amount;
       return VariableStatus::kDone;
     case kCutting:
-      cutting_start_ms_ = c_.clock.cutting_s() * 1000.0 - amount;
+      cutting_start_ms_ = c_.clock.cutting_s() * 1000.0 - amount * rules_.cutting_unit_ms;
       return VariableStatus::kDone;
     case kControl1:
     case kControl2:
