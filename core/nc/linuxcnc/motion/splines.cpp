@@ -106,7 +106,10 @@ bool lcnControlPoint(IsoContext& c, BlockPlan& plan, const LinuxCncChannel& own,
 bool performLcnPoint(IsoContext& c, BlockPlan& plan) {
   LinuxCncChannel& own = linuxCncChannel(c);
   LinuxCncNurbs& curve = own.nurbs;
-  if (own.modal.nurbs == 0) curve = LinuxCncNurbs{};
+  if (own.modal.nurbs == 0) {
+    curve.points.clear();
+    curve.knots.clear();
+  }
   curve.points.insert(curve.points.end(), curve.added.begin(), curve.added.end());
   if (curve.added_knot) curve.knots.push_back(*curve.added_knot);
   if (curve.added_order > 0) curve.order = curve.added_order;
