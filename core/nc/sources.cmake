@@ -140,7 +140,9 @@ target_sources(proveout_core PRIVATE
   nc/iso/model/system_calls.cpp
   nc/iso/motion/axis_setup.cpp
   nc/iso/stages/comp_stage.cpp
+  nc/iso/stages/dogleg_stage.cpp
   nc/iso/motion/contour.cpp
+  nc/iso/motion/curve.cpp
   nc/iso/motion/diameter.cpp
   nc/iso/motion/feed.cpp
   nc/iso/motion/measuring.cpp
@@ -175,6 +177,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/program/flow.cpp
   nc/iso/model/program_store.cpp
   nc/iso/program/reset.cpp
+  nc/iso/program/block_ends.cpp
   nc/iso/program/tape.cpp
   nc/iso/spindle/spindle.cpp
   nc/iso/spindle/surface_speed.cpp

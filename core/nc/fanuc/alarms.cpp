@@ -10,7 +10,12 @@ const AlarmTable& fanucAlarms() {
           {SharedAlarm::kIllegalAddress, 9, {}, "illegal address {}"},
           {SharedAlarm::kNotImplemented, 10, {}, "improper G-code: {}"},
           {SharedAlarm::kCircleRadius, 20, {}, "over tolerance of radius"},
-          {SharedAlarm::kCircle, 22, {}, "no radius, no centre, or a centre outside of the plane"},
+          {SharedAlarm::kCircle, 22, {}, "no radius and no centre of an arc"},
+          {SharedAlarm::kCircleCentre, 21, {}, "illegal plane axis commanded"},
+          {SharedAlarm::kNoNumber, 5, {}, "no number behind the address {}"},
+          {SharedAlarm::kSign, 6, {}, "illegal use of a sign at {}"},
+          {SharedAlarm::kPoint, 7, {}, "illegal use of a decimal point at {}"},
+          {SharedAlarm::kCharacter, 9, {}, "illegal NC address: {} does not start a word"},
           {SharedAlarm::kCompNoIntersection, 33, {}, "no intersection in cutter compensation"},
           {SharedAlarm::kCompEndInArc,
            34,
@@ -21,7 +26,8 @@ const AlarmTable& fanucAlarms() {
           {SharedAlarm::kCompInterference, 41, {}, "interference in cutter compensation"},
           {SharedAlarm::kCorner, 52, {}, "improper chamfer or corner: no G01 to G03 behind it"},
           {SharedAlarm::kCornerTooLarge, 55, {}, "missing move value in chamfer or corner: it does not fit"},
-          {SharedAlarm::kChamferAndRounding, 50, {}, "chamfer and corner in one block"},
+          {SharedAlarm::kNothingBehind, 51, {}, "missing move behind chamfer or corner"},
+          {SharedAlarm::kChamferAndRounding, 53, {}, "too many addresses: chamfer and corner in one block"},
           {SharedAlarm::kProgramNotFound, 76, {}, "program not found"},
           {SharedAlarm::kFileNotFound, 76, {}, "program not found"},
           {SharedAlarm::kBlockNotFound, 78, {}, "number not found: {}"},
@@ -46,6 +52,13 @@ const AlarmTable& fanucAlarms() {
           {SharedAlarm::kBits, 119, {}, "illegal argument"},
           {SharedAlarm::kWhileWithoutDo, 124, {}, "missing END statement or DO"},
           {SharedAlarm::kDuplicateWord, 5074, {}, "address duplication error: {}"},
+      },
+      {
+          {"feed", 11},
+          {"plane-in-comp", 37},
+          {"virtual-forbidden", 146},
+          {"virtual-comp", 146},
+          {"comp-start-arc", 34},
       }};
   return kTable;
 }

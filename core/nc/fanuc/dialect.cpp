@@ -1,15 +1,16 @@
 #include "core/nc/fanuc/dialect.h"
 
-#include <array>
-
 #include "core/nc/fanuc/alarms.h"
+#include "core/nc/fanuc/block/plan.h"
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
 #include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/macro/macro_rules.h"
+#include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/system_variables/fanuc_banks.h"
 #include "core/nc/fanuc/tables/tables.h"
+#include "core/nc/fanuc/text/decimal.h"
 
 namespace proveout::nc {
 namespace {
@@ -19,17 +20,25 @@ LexRules fanucLexing() {
   rules.keep_repeats = true;
   rules.incremental_operator = false;
   rules.names_variables = true;
+  rules.comments_end_in_line = true;
+  rules.semicolon_ends_block = true;
+  rules.colon_program = true;
+  rules.named_programs = true;
+  rules.number_alarms = true;
+  rules.skip_anywhere = true;
+  rules.unsigned_addresses = "ONGFTHDLMSP";
   return rules;
 }
 
-/// The address rule of "increment" (section 2 of the rows).
-constexpr std::array<IncrementWords, 1> kIncrements{{{"XYZUVWABCIJKRQ", 0.001, 0.0001}}};
-
-IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increments) {
+IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
   IsoRules rules;
   rules.last_of_group = true;
   rules.keeps_return_level = true;
   rules.motion_or_cycle = true;
+  rules.m_words = 1;
+  rules.probe_in_transforms = true;
+  rules.loose_arcs = true;
+  rules.short_radius_is_half = true;
   IsoDialect dialect{
       .name = name,
       .alarms = fanucAlarms(),
@@ -37,11 +46,16 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes, bool increme
       .parameters = fanucParameters(),
       .formulas = fanucFormulas(),
       .lexing = fanucLexing(),
-      .increments =
-          increments ? std::span<const IncrementWords>(kIncrements) : std::span<const IncrementWords>(),
       .layout = ProgramLayout::kSeveralInAFile,
       .rules = rules,
       .check_block = followRigidTap,
+      .maker_data = makeFanucData,
+      .plan = planFanuc,
+      .take_words = takeFanucWords,
+      .unknown_m = fanucUnknownM,
+      .end_shifts = fanucEndShifts,
+      .begin = fanucBegin,
+      .power_on = fanucPowerOn,
   };
   takeMacroRules(dialect, name == "fanuc-lathe");
   return dialect;
@@ -97,6 +111,14 @@ const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& setting
   static const IsoDialect kCalculator = dialectOf("fanuc-lathe", fanucLatheCodes(), false);
   static const IsoDialect kIncrement = dialectOf("fanuc-lathe", fanucLatheCodes(), true);
   return macroVariant(chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator, settings);
+  static const IsoDialect kMill = dialectOf("fanuc-mill", fanucMillCodes());
+  static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes()));
+  return chosen(settings, FanucParam::kFlavour) ? kHaas : kMill;
+}
+
+const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& /*settings*/) {
+  static const IsoDialect kLathe = dialectOf("fanuc-lathe", fanucLatheCodes());
+  return kLathe;
 }
 
 }  // namespace proveout::nc

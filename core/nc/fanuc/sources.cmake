@@ -11,6 +11,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/system_variables/common_bank.cpp
   nc/fanuc/system_variables/fanuc_banks.cpp
   nc/fanuc/system_variables/offset_numbers.cpp
+  nc/fanuc/block/plan.cpp
   nc/fanuc/coverage/rows.cpp
   nc/fanuc/coverage/rows_cycles.cpp
   nc/fanuc/coverage/rows_haas.cpp
@@ -23,6 +24,12 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/haas/haas_patterns.cpp
   nc/fanuc/haas/haas_pockets.cpp
   nc/fanuc/haas/outline_reader.cpp
+  nc/fanuc/motion/accepted.cpp
+  nc/fanuc/motion/arcs.cpp
+  nc/fanuc/motion/curves.cpp
+  nc/fanuc/motion/dwell.cpp
+  nc/fanuc/motion/reference.cpp
+  nc/fanuc/motion/virtual_planes.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp
@@ -30,4 +37,5 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/tables/haas.cpp
   nc/fanuc/tables/macro.cpp
   nc/fanuc/tables/motion.cpp
-  nc/fanuc/tables/transforms.cpp)
+  nc/fanuc/tables/transforms.cpp
+  nc/fanuc/text/decimal.cpp)

@@ -61,10 +61,11 @@ int loopNumber(std::string_view text, std::size_t pos) {
   return pos + 1 < text.size() && (isDigit(text[pos + 1]) || text[pos + 1] == '.') ? -1 : text[pos] - '0';
 }
 
-LoopIndex::LoopIndex(const std::vector<std::string_view>& lines) {
+LoopIndex::LoopIndex(const std::vector<std::string_view>& lines, bool comments_end_in_line) {
   bool comment = false;
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const std::string_view line = lines[k];
+    if (comments_end_in_line) comment = false;
     const std::size_t head = lineHead(line, comment);
     if (head == std::string_view::npos) continue;
     const bool is_end = keywordAt(line, head, "END");

@@ -28,7 +28,8 @@ class LoopIndex {
     std::size_t outer = kNone;  ///< index of the DO around it
   };
 
-  explicit LoopIndex(const std::vector<std::string_view>& lines);
+  /// `comments_end_in_line`: a comment that nobody closes ends with its line.
+  explicit LoopIndex(const std::vector<std::string_view>& lines, bool comments_end_in_line = false);
   /// The DO or END of a line, or null.
   const Mark* find(std::size_t line) const;
   /// The outermost loop that a jump from one line to another enters behind its DO, or null.

@@ -66,6 +66,14 @@ ArcResolution resolveArc(const ArcRequest& request, const ArcPolicy& policy) {
       result.no_motion = !request.has_other_axis;
       return result;
     }
+    const double missing = 0.5 * (arc.end - arc.start).head<2>().norm() - std::abs(*request.radius);
+    if (policy.short_radius_is_half && missing > 0.0) {
+      result.radius_difference = missing;
+      result.error = missing > policy.radius_tolerance ? ArcError::kRadiusDifference : ArcError::kNone;
+      arc.center = 0.5 * (arc.start + arc.end).head<2>();
+      arc.sweep_rad = request.counter_clockwise ? kPi : -kPi;
+      return result;
+    }
     arc.center =
         centerFromRadius(arc.start.head<2>(), arc.end.head<2>(), *request.radius, request.counter_clockwise);
   } else {

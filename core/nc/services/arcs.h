@@ -30,6 +30,9 @@ struct ArcPolicy {
   /// 500 mm, below any control's increment and above rounding noise.
   double angle_tolerance_rad = degToRad(1e-7);
   std::int64_t max_turns = 1000000;
+  /// A radius word below half the chord, by the tolerance at most, makes a half circle; beyond it the radii
+  /// differ too much. False: the arc goes on as a spiral (ArcRequest::radius).
+  bool short_radius_is_half = false;
 };
 
 /// One circular block in plane coordinates (u, v, w), mm.

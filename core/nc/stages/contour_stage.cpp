@@ -177,7 +177,8 @@ void CornerStage::clear() {
 bool CornerStage::flush(FlushReason reason) {
   if (!holds_ || reason == FlushReason::kTransform) return true;
   holds_ = false;
-  return report_.contourError(SharedAlarm::kCorner, {}, "no G1, G2 or G3 block in the plane follows", held_);
+  return report_.contourError(SharedAlarm::kNothingBehind, {}, "no G1, G2 or G3 block in the plane follows",
+                              held_);
 }
 
 Vec3 CornerStage::sentUntil(const Vec3& otherwise) const {

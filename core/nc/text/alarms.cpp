@@ -31,10 +31,16 @@ constexpr auto kUsual = std::to_array<AlarmTable::Row>({
     {SharedAlarm::kCircleRadius, 0, "circle-radius", "circle radius difference error"},
     {SharedAlarm::kCorner, 0, "corner", "illegal chamfer or rounding"},
     {SharedAlarm::kCornerTooLarge, 0, "corner-too-large", "chamfer or rounding too large"},
+    {SharedAlarm::kNoNumber, 0, "no-number", "{} has no value"},
+    {SharedAlarm::kSign, 0, "sign", "misplaced sign at {}"},
+    {SharedAlarm::kPoint, 0, "point", "misplaced decimal point at {}"},
+    {SharedAlarm::kCharacter, 0, "character", "{} does not start a word"},
     {SharedAlarm::kMissingData, 0, "missing-data", "missing data {}"},
     {SharedAlarm::kMirrorInTransform, 0, "mirror-in-transform",
      "mirroring cannot be switched while scaling or rotation is on"},
     {SharedAlarm::kCircle, 0, "circle", "circle definition error"},
+    {SharedAlarm::kCircleCentre, 0, "circle-centre", "circle definition error"},
+    {SharedAlarm::kNothingBehind, 0, "nothing-behind", "illegal chamfer or rounding"},
     {SharedAlarm::kThread, 0, "thread", "thread definition error"},
     {SharedAlarm::kAxis, 0, "axis", "wrong axis data {}"},
     {SharedAlarm::kTorque, 0, "torque", "torque of a measuring move"},
@@ -109,8 +115,9 @@ std::string withDetail(std::string what, std::string_view detail) {
   return what;
 }
 
-AlarmTable::AlarmTable(std::string_view control, std::initializer_list<Row> rows)
-    : control_(control), rows_(kSharedAlarms), codes_(kSharedAlarms) {
+AlarmTable::AlarmTable(std::string_view control, std::initializer_list<Row> rows,
+                       std::initializer_list<std::pair<std::string_view, int>> names)
+    : control_(control), names_(names), rows_(kSharedAlarms), codes_(kSharedAlarms) {
   static_assert(kUsual.size() == kSharedAlarms);
   for (const Row& row : kUsual) take(row);
   for (const Row& row : rows) take(row);
@@ -130,6 +137,9 @@ std::string AlarmTable::code(int number) const {
 
 std::string AlarmTable::code(const DiagnosticName& name) const {
   if (name.alarm() != SharedAlarm::kCount) return code(name.alarm());
+  for (const auto& [own, number] : names_) {
+    if (own == name.name()) return code(number);
+  }
   return control_ + "-" + std::string(name.name());
 }
 

@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace proveout::nc {
@@ -35,10 +36,16 @@ enum class SharedAlarm : std::uint8_t {
   kCircleRadius,      ///< the end is not on the circle
   kCorner,            ///< chamfer or rounding where none may stand
   kCornerTooLarge,    ///< chamfer or rounding that does not fit
+  kNoNumber,          ///< subject: an address without digits
+  kSign,              ///< subject: an address with a sign where none may stand
+  kPoint,             ///< subject: an address with a decimal point where none may stand
+  kCharacter,         ///< subject: what starts no word
   // Controls of the ISO family.
   kMissingData,        ///< subject: the address
   kMirrorInTransform,  ///< mirroring switched while scaling or rotation is on
   kCircle,             ///< a circle that is not defined
+  kCircleCentre,       ///< a centre word across the plane
+  kNothingBehind,      ///< a chamfer or rounding without a motion behind it
   kThread,             ///< a thread that is not defined
   kAxis,               ///< subject: an axis that cannot stand here
   kTorque,             ///< Q: of a measuring move, of a tilted plane
@@ -124,7 +131,9 @@ class AlarmTable {
   };
   /// `control`: its name stands in front of the codes of diagnostics, "nct" in "nct-2064". What has no row
   /// goes by a name and a usual text.
-  AlarmTable(std::string_view control, std::initializer_list<Row> rows);
+  /// `names`: names of the simulator's own that the control has a number for.
+  AlarmTable(std::string_view control, std::initializer_list<Row> rows,
+             std::initializer_list<std::pair<std::string_view, int>> names = {});
 
   const std::string& code(SharedAlarm alarm) const { return codes_[static_cast<std::size_t>(alarm)]; }
   std::string code(const DiagnosticName& name) const;
@@ -138,6 +147,7 @@ class AlarmTable {
   void take(const Row& row);
 
   std::string control_;
+  std::vector<std::pair<std::string_view, int>> names_;
   std::vector<Row> rows_;           ///< by SharedAlarm
   std::vector<std::string> codes_;  ///< the same
 };

@@ -68,6 +68,7 @@ struct Word {
   bool is_integer = false;       ///< the value has no fractional part
   bool from_expression = false;  ///< the value was computed: alarms tell it
   bool minus = false;            ///< it has a minus sign
+  bool point = false;            ///< a plain number with a decimal point
   double value = 0.0;            ///< as programmed, no unit conversion
   Columns columns;
   std::int8_t axis = -1;     ///< index of the axis of that name, or -1
@@ -111,6 +112,9 @@ struct Block {
   Columns repeated_at;  ///< the first such word
   AddressSet negative;  ///< addresses with a minus sign although they take none (LexRules::keep_repeats)
   Columns negative_at;  ///< the first such word
+  /// With LexRules::comments_end_in_line: the first ( inside of a comment, and the ( of one that nobody has
+  /// closed; begin 0: there is none.
+  Columns nested_at, open_at;
 
   void clear() {
     words.clear();
@@ -123,6 +127,7 @@ struct Block {
     steps = false;
     kind = LineKind::kBlock;
     repeated = negative = {};
+    nested_at = open_at = {};
   }
   bool empty() const { return words.empty() && !has_file && kind == LineKind::kBlock; }
   /// The word at that address, or null. Addresses that may repeat (G, M): the first.

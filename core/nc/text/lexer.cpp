@@ -37,6 +37,12 @@ bool Lexer::syntax(std::string_view detail, std::size_t begin, std::size_t end) 
   return fail(SharedAlarm::kSyntax, {}, detail, begin, end);
 }
 
+bool Lexer::failNumber(SharedAlarm alarm, SharedAlarm usual, std::string_view subject,
+                       std::string_view detail, std::size_t begin, std::size_t end) {
+  if (rules_.number_alarms) return fail(alarm, subject, {}, begin, end);
+  return fail(usual, usual == SharedAlarm::kSyntax ? std::string_view() : subject, detail, begin, end);
+}
+
 namespace {
 
 bool keyword(std::string_view text, std::size_t pos, std::string_view word) {
@@ -76,23 +82,44 @@ LineKind classify(std::string_view text, std::size_t pos) {
   }
 }
 
-bool Lexer::lex(std::string_view line, Block& block) {
+bool Lexer::lex(std::string_view line, Block& block, std::size_t from) {
   block.clear();
   block.text = line;
-  block.plain = !in_comment_;
+  block.plain = !in_comment_ && from == 0;
   plain_ = &block.plain;
   nested_ = false;
-  if (lexItems(line, 0, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock)) return true;
-  if (!nested_) return false;
+  const bool good = lexItems(line, from, block, rules_.expressions != nullptr && mode_ == LexMode::kBlock);
+  if (rules_.comments_end_in_line) endComment(block, from);
+  if (good) return true;
+  if (!nested_ || rules_.comments_end_in_line) return false;
   const auto at = static_cast<std::size_t>(error_.columns.begin - 1);
   return syntax("comments do not nest: a ( stands inside of one, and the first ) has closed it", at,
                 static_cast<std::size_t>(error_.columns.end - 1));
+}
+
+/// Tells what is odd about the comments of the line, and ends one that is open.
+void Lexer::endComment(Block& block, std::size_t from) {
+  in_comment_ = false;
+  if (block.text.find('(', from) == std::string_view::npos) return;
+  std::size_t open = std::string_view::npos;
+  const auto columns = [](std::size_t at) {
+    return Columns{static_cast<int>(at) + 1, static_cast<int>(at) + 2};
+  };
+  for (std::size_t i = from; i < block.text.size(); ++i) {
+    const char c = block.text[i];
+    const bool inside = open != std::string_view::npos;
+    if (c == '(' && inside && block.nested_at.begin == 0) block.nested_at = columns(i);
+    if (c == '(' && !inside) open = i;
+    if (c == ')') open = std::string_view::npos;
+  }
+  if (open != std::string_view::npos) block.open_at = columns(open);
 }
 
 /// What starts no word here but does on other controls. `comment`: the rest of the line is to be left out.
 bool Lexer::foreignSign(std::string_view line, std::size_t i, bool& comment) {
   comment = line[i] == ';' && semicolon_told_;
   if (comment) return true;
+  if (rules_.number_alarms) return fail(SharedAlarm::kCharacter, shown(line[i]), {}, i, i + 1);
   if (line[i] == ')') return syntax("')' without '('", i, i + 1);
   if (line[i] == '#' && rules_.expressions != nullptr)
     return fail(SharedAlarm::kMixedBlock, {}, "'#' does not start a word", i, i + 1);
@@ -139,8 +166,11 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
         }
       }
       if (!lexWord(line, i, block)) return false;
+    } else if (c == ':' && rules_.colon_program) {
+      if (!lexWord(line, i, block)) return false;
     } else if (c == '/') {
       if (!lexSkip(line, i, block)) return false;
+      if (i == line.size()) return true;
     } else if (c == '<') {
       if (!lexFile(line, i, block)) return false;
     } else if (c == '%') {
@@ -171,6 +201,12 @@ bool Lexer::lexSkip(std::string_view line, std::size_t& i, Block& block) {
   if (n == 0 || (i < line.size() && isDigit(line[i]))) {
     return fail(SharedAlarm::kOutOfRange, "/", "optional skip is /1 to /9", begin, i + 1);
   }
+  const bool inside = !block.empty() || block.number >= 0 || block.program >= 0 || block.skip != 0;
+  if (inside && rules_.skip_anywhere) {
+    block.plain = false;
+    if ((rules_.skip_switches >> (n - 1) & 1) != 0) i = line.size();
+    return true;
+  }
   if (!block.empty() || block.number >= 0 || block.program >= 0 || block.skip != 0) {
     return syntax("optional skip must stand at the start of the block", begin, i);
   }
@@ -193,7 +229,8 @@ bool Lexer::lexFile(std::string_view line, std::size_t& i, Block& block) {
 bool Lexer::lexAddress(std::string_view line, std::size_t& i, Word& word) {
   const std::size_t begin = i;
   if (line[i] != ',') {
-    word.address = upper(line[i++]);
+    word.address = line[i] == ':' ? 'O' : upper(line[i]);
+    ++i;
     return true;
   }
   ++i;
@@ -270,6 +307,8 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
     ++i;
   }
   while (i < line.size() && isBlank(line[i])) ++i;
+  if (word.address == 'O' && rules_.named_programs && i < line.size() && line[i] == '<')
+    return lexFile(line, i, block);
   bool vacant = false;
   if (!lexValue(line, i, word, vacant)) {
     error_.columns.begin = static_cast<int>(begin) + 1;
@@ -284,9 +323,9 @@ bool Lexer::lexWord(std::string_view line, std::size_t& i, Block& block) {
 
 bool Lexer::keepMinus(const Word& word, Block& block) {
   if (!rules_.keep_repeats || word.address == 'O' || (word.address == 'N' && block.number < 0)) {
-    return fail(SharedAlarm::kOutOfRange, addressText(word.address), "no minus sign here",
-                static_cast<std::size_t>(word.columns.begin - 1),
-                static_cast<std::size_t>(word.columns.end - 1));
+    return failNumber(SharedAlarm::kSign, SharedAlarm::kOutOfRange, addressText(word.address),
+                      "no minus sign here", static_cast<std::size_t>(word.columns.begin - 1),
+                      static_cast<std::size_t>(word.columns.end - 1));
   }
   if (block.negative.empty()) block.negative_at = word.columns;
   block.negative.add(word.address);
@@ -314,8 +353,10 @@ bool Lexer::noWord(std::string_view line, std::size_t value) {
     return fail(SharedAlarm::kMixedBlock, {}, fmt::format("{} cannot stand behind other words", name), begin,
                 end);
   }
-  return syntax(fmt::format("{} is no word: a word is a letter with a number, text stands in ( )", name),
-                begin, end);
+  const std::string what =
+      fmt::format("{} is no word: a word is a letter with a number, text stands in ( )", name);
+  if (rules_.number_alarms) return fail(SharedAlarm::kNoNumber, name.substr(0, 1), what, begin, end);
+  return syntax(what, begin, end);
 }
 
 bool Lexer::evaluate(std::string_view line, std::size_t& i, Word& word, bool& vacant) {
@@ -393,7 +434,10 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   for (; i < line.size(); ++i) {
     const char c = line[i];
     if (c == '.') {
-      if (point) return syntax(fmt::format("{}: second decimal point", name), begin, i + 1);
+      if (point) {
+        return failNumber(SharedAlarm::kPoint, SharedAlarm::kSyntax, name,
+                          fmt::format("{}: second decimal point", name), begin, i + 1);
+      }
       point = true;
       continue;
     }
@@ -403,7 +447,14 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
     if (significant > 0 || c != '0') ++significant;
     if (significant <= kExactDigits) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
   }
-  if (digits == 0) return syntax(fmt::format("{} has no value", name), begin, std::max(i, begin + 1));
+  if (digits == 0) {
+    const bool sign = i > begin && i < line.size() && (line[i] == '-' || line[i] == '+');
+    return failNumber(sign ? SharedAlarm::kSign : SharedAlarm::kNoNumber, SharedAlarm::kSyntax, name,
+                      fmt::format("{} has no value", name), begin, std::max(i, begin + 1));
+  }
+  if (rules_.number_alarms && i < line.size() && (line[i] == '-' || line[i] == '+'))
+    return fail(SharedAlarm::kSign, name, {}, begin, i + 1);
+  word.point = point;
   if (significant - fraction > kExactDigits) {
     return fail(SharedAlarm::kOutOfRange, name, "more than 15 digits", begin, i);
   }
@@ -417,6 +468,95 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   word.minus = negative;
   if (negative && word.value != 0.0) word.value = -word.value;
   return true;
+}
+
+std::size_t blockEnd(std::string_view line, std::size_t from) {
+  bool comment = false;
+  for (std::size_t i = from; i < line.size(); ++i) {
+    if (!comment && line[i] == ';') return i;
+    comment = comment ? line[i] != ')' : line[i] == '(';
+  }
+  return line.size();
+}
+
+namespace {
+
+/// Moves `i` behind the value that stands there: a number, a variable, a formula in brackets. False: none
+/// does.
+bool passValue(std::string_view text, std::size_t& i) {
+  const auto blanks = [&] {
+    while (i < text.size() && isBlank(text[i])) ++i;
+  };
+  blanks();
+  if (i < text.size() && (text[i] == '-' || text[i] == '+')) ++i;
+  blanks();
+  while (i < text.size() && text[i] == '#') {
+    ++i;
+    blanks();
+  }
+  if (i < text.size() && text[i] == '[') {
+    int depth = 0;
+    for (; i < text.size(); ++i) {
+      if (text[i] == '[') ++depth;
+      if (text[i] == ']' && --depth == 0) {
+        ++i;
+        return true;
+      }
+    }
+    return false;
+  }
+  int digits = 0;
+  for (; i < text.size() && (isDigit(text[i]) || text[i] == '.'); ++i) digits += isDigit(text[i]) ? 1 : 0;
+  return digits > 0;
+}
+
+/// A statement keeps to this: enough to tell it from a remark.
+bool readsAsStatement(std::string_view text, std::size_t i) {
+  if (text[i] == '#') {
+    const std::size_t equals = text.find('=', i);
+    return passValue(text, i) && equals != std::string_view::npos &&
+           text.find_first_not_of(" \t", i) == equals;
+  }
+  if (keyword(text, i, "PCLOS") || keyword(text, i, "POPEN")) return true;
+  for (const std::string_view word : {"IF", "WHILE", "GOTO", "DO", "END", "DPRNT", "BPRNT"}) {
+    if (!keyword(text, i, word)) continue;
+    i += word.size();
+    return passValue(text, i);
+  }
+  return false;
+}
+
+}  // namespace
+
+bool readsAsBlock(std::string_view text) {
+  bool comment = false, any = false;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (comment || c == '(' || isBlank(c)) {
+      comment = comment ? c != ')' : c == '(';
+      ++i;
+      continue;
+    }
+    if (c == '#' || (isLetter(c) && classify(text, i) != LineKind::kBlock)) return readsAsStatement(text, i);
+    if (c == '/') {
+      ++i;
+      while (i < text.size() && isDigit(text[i])) ++i;
+      continue;
+    }
+    if (c == '<') {
+      const std::size_t close = text.find('>', i);
+      if (close == std::string_view::npos) return false;
+      i = close + 1;
+      continue;
+    }
+    if (c == ',') ++i;
+    while (i < text.size() && isBlank(text[i])) ++i;
+    if (i >= text.size() || !isLetter(text[i])) return false;
+    ++i;
+    if (!passValue(text, i)) return false;
+    any = true;
+  }
+  return any;
 }
 
 namespace {

@@ -47,6 +47,17 @@ struct LexRules {
   AddressSet incremental_addresses = "XYZUVWABCR";
   AddressSet unsigned_addresses = "ONGFTHDLM";  ///< '-' is an error
   AddressSet repeatable = "GM";                 ///< may occur more than once in a block
+  bool comments_end_in_line = false;  ///< a comment that nobody closes ends with its line; the block tells it
+  bool semicolon_ends_block = false;  ///< ; ends a block; see blockEnd()
+  bool colon_program = false;         ///< :1234 is O1234
+  bool named_programs = false;        ///< O<NAME>
+  /// Numbers without digits, misplaced signs and points, and characters that start no word have alarms of
+  /// their own. False: they are syntax errors.
+  bool number_alarms = false;
+  /// A slash may stand inside of a block: the words behind it are left out while its switch is on. False: it
+  /// stands in front only.
+  bool skip_anywhere = false;
+  std::uint16_t skip_switches = 0;  ///< with skip_anywhere: bit n - 1 is the switch of /n
 };
 
 /// How N counts.
@@ -58,6 +69,12 @@ enum class LexMode : std::uint8_t {
 /// What starts at `text[pos]`, the first thing of a line behind N and skip.
 LineKind classify(std::string_view text, std::size_t pos);
 
+/// Where the block of `line` that starts at `from` ends: at its first ; outside of comments, or with the
+/// line.
+std::size_t blockEnd(std::string_view line, std::size_t from);
+/// Does the text read as a block: words, or a statement of the macro language? Nothing is evaluated.
+bool readsAsBlock(std::string_view text);
+
 /// Largest magnitude of a value; far beyond any machine, near enough to keep arithmetic exact to 1e-6.
 inline constexpr double kMaxValue = 1e9;
 
@@ -66,8 +83,9 @@ class Lexer {
   /// `alarms` must outlive the lexer.
   Lexer(const LexRules& rules, const AlarmTable& alarms) : rules_(rules), alarms_(alarms) {}
   /// Fills `block` with the words of `line`. False: error() says why. Comments may go on from line to line.
-  /// What stands behind % is a name and no words, but for comments and a program number.
-  bool lex(std::string_view line, Block& block);
+  /// What stands behind % is a name and no words, but for comments and a program number. `from`: the block
+  /// begins there; the text in front of it is that of other blocks.
+  bool lex(std::string_view line, Block& block, std::size_t from = 0);
   /// Goes on at `pos` of `block.text` and adds the words from there (behind IF[...] or THEN). The block then
   /// counts as a block of words.
   bool lexRest(std::size_t pos, Block& block);
@@ -95,6 +113,10 @@ class Lexer {
   bool fail(SharedAlarm alarm, std::string_view subject, std::string_view detail, std::size_t begin,
             std::size_t end);
   bool syntax(std::string_view detail, std::size_t begin, std::size_t end);
+  /// A fault with an alarm of its own where the control has one (LexRules::number_alarms), else `usual`.
+  bool failNumber(SharedAlarm alarm, SharedAlarm usual, std::string_view subject, std::string_view detail,
+                  std::size_t begin, std::size_t end);
+  void endComment(Block& block, std::size_t from);
 
   LexRules rules_;
   const AlarmTable& alarms_;

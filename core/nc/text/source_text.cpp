@@ -186,6 +186,7 @@ SourceText::SourceText(std::string name, std::string path, std::string utf8)
 
 SourceText::SourceText(const SourceText& whole, std::size_t first, std::size_t end)
     : name_(whole.name_), path_(whole.path_), encoding_(whole.encoding_), lines_(first), first_line_(first) {
+  comments_end_in_line_ = whole.comments_end_in_line_;
   PROVEOUT_ASSERT(first < end && end <= whole.lines_.size());
   for (std::size_t k = first; k < end; ++k) {
     text_ += whole.lines_[k];
@@ -219,7 +220,7 @@ SourceText::Label SourceText::label(long long number, std::size_t from) {
 }
 
 const LoopIndex& SourceText::loops() {
-  if (loops_ == nullptr) loops_ = std::make_unique<const LoopIndex>(lines_);
+  if (loops_ == nullptr) loops_ = std::make_unique<const LoopIndex>(lines_, comments_end_in_line_);
   return *loops_;
 }
 
@@ -290,6 +291,7 @@ void SourceText::indexLabels() {
   for (std::size_t k = 0; k < lines_.size(); ++k) {
     const std::string_view line = lines_[k];
     if (data && hasWord(line, 'G', 11)) data = false;
+    if (comments_end_in_line_) comment = false;
     const long long number = labelOf(line, comment);
     if (number != kNoNumber && !data) labels_.push_back({number, k});
     if (!data && opensData(line)) data = true;

@@ -55,6 +55,8 @@ class SourceText {
   /// The loops of the text. The index is made at the first call.
   const LoopIndex& loops();
 
+  /// A comment that nobody closes ends with its line. Before labels and loops are asked for.
+  void setCommentsEndInLine() { comments_end_in_line_ = true; }
   void setEncoding(std::string name) { encoding_ = std::move(name); }
   /// Part of the control: no program source has this text.
   bool builtIn() const { return built_in_; }
@@ -76,6 +78,7 @@ class SourceText {
   std::vector<NumberedLine> labels_;  ///< sorted
   bool labels_known_ = false;
   bool built_in_ = false;
+  bool comments_end_in_line_ = false;
   std::unique_ptr<const LoopIndex> loops_;
 };
 

@@ -65,6 +65,17 @@ constexpr FormulaRules formulaRules() {
 }
 constexpr FormulaLanguage kFormulas{formulaRules(), FormulaRows(kOperators), FormulaRows(kFunctions)};
 
+/// Coordinates without a point count in 0.001 mm or 0.0001 inch.
+bool takeIncrements(IsoContext& c) {
+  bool inch = c.state.active[kGroupUnits] == gcode::kInch;
+  for (const Word& w : c.block.words)
+    inch = (inch || (w.address == 'G' && w.value == 20.0)) && w.value != 21.0;
+  for (Word& w : c.block.words) {
+    if (AddressSet("XYZIJKR").has(w.address) && !w.point && !w.from_expression) w.value *= inch ? 1e-4 : 1e-3;
+  }
+  return true;
+}
+
 const IsoDialect& dialect() {
   using namespace param_rows;
   static const CodeIndex kCodes({{kG, kM, {}}});
@@ -74,16 +85,15 @@ const IsoDialect& dialect() {
               number("3410", 3410, kChannel, 0.02, 0, 1, "arc tolerance, mm"));
     return table;
   }();
-  static constexpr std::array<IncrementWords, 1> kIncrements{{{"XYZIJKR", 0.001, 0.0001}}};
   static const IsoDialect kTen{
       .name = "ten",
       .alarms = alarms(),
       .codes = kCodes,
       .parameters = kParameters,
       .formulas = kFormulas,
-      .increments = kIncrements,
       .layout = ProgramLayout::kSeveralInAFile,
       .system_variables = allBanks,
+      .take_words = takeIncrements,
   };
   return kTen;
 }

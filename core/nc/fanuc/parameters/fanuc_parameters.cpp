@@ -15,6 +15,25 @@ const ParameterTable& fanucParameters() {
                                           "words without a point: 50 is 50 mm, or 0.050 mm"))
         .add(MotionParam::kDefaultG20,
              choice("power_on_units", 3402, 0, "mm inch", "unit where the program does not say"))
+        .add(FanucParam::kPowerOnPlane,
+             number("power_on_plane", 3402, kChannel, 0, 0, 19,
+                    "plane where the program does not say: 17, 18 or 19; 0: 17 of mills, 18 of lathes"))
+        .add(MotionParam::kDefaultG1,
+             choice("power_on_motion", 3402, 0, "G0 G1", "motion where the program does not say"))
+        .add(MotionParam::kDefaultG91,
+             choice("power_on_distance", 3402, 0, "G90 G91", "coordinates where the program does not say"))
+        .add(FanucParam::kRapid,
+             choice("rapid", 1401, 0, "dogleg linear", "each axis at its own rate, or a straight way"))
+        .add(FanucParam::kStrictM,
+             number("strict_m", kNoNumber, kChannel, 0, 0, 1, "M functions that nobody knows are errors"))
+        .add(FanucParam::kOverrun,
+             number("g60_overrun", 5440, kAxis, 0, -1e3, 1e3, "overrun of G60, signed, mm or degrees"))
+        .add(FanucParam::kPark, number("park", kNoNumber, kAxis, 0, -1e6, 1e6,
+                                       "where an axis goes by G28, G30, G53 if nothing tells machine zero, "
+                                       "machine coordinates; not given: it stays"))
+        .add(FanucParam::kKeepG52, choice("g52_at_end", 1202, 0, "clear keep", "shift of G52 at the end"))
+        .add(FanucParam::kKeepG92,
+             choice("g92_at_end", kNoNumber, 1, "clear keep", "shift of G92 at the end"))
         .add(MotionParam::kRadiusDifference,
              number("arc_radius_tolerance", 3410, kChannel, 0.01, 0, 1e3,
                     "difference of start and end radius that an arc may have, mm; 0: not checked"))

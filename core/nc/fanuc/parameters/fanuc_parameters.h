@@ -19,6 +19,13 @@ enum class FanucParam : std::uint16_t {
   kAtanRange,         ///< 6004#0 NAT: 360 or 180
   kV15,               ///< 6000#3
   kUnknownVariables,  ///< 0 errors, 1 vacant
+  kRapid,             ///< 1401#1 LRP: 0 each axis at its own rate, 1 straight
+  kPowerOnPlane,      ///< 17, 18, 19; 0: 17 of mills, 18 of lathes
+  kStrictM,           ///< 1: M functions that nobody knows are errors
+  kOverrun,           ///< of axes: 5440, mm or deg, signed
+  kPark,              ///< of axes: machine coordinate, mm or deg
+  kKeepG52,
+  kKeepG92,  ///< 1: the shift of G52, G92 stays at the end of a program
   kCount
 };
 inline constexpr double kHaasFlavour = 1.0;  ///< FanucParam::kFlavour

@@ -1,4 +1,5 @@
 // Work frames, machine moves, measuring, stored stroke check.
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
@@ -14,9 +15,10 @@ constexpr auto kFanucFramesTableG = std::to_array<GCode>({
     action(110, kOneShot, kState, {}, planEndOfData, false, "", "end of data input"),
     action(220, kGroupZones, kSim, "XYZIJK", planZoneOn, true, "fan-5-G22", "stored stroke check"),
     action(230, kGroupZones, kSim, {}, planZoneOff, true, "fan-5-G23", "stored stroke check off"),
-    action(310, kOneShot, kSim, "XYZUVWP", planSkip, true, "fan-3-G31", "skip: ends at the first contact"),
+    action(310, kOneShot, kSim, "XYZUVWP", planSkip, true, "fan-3-G31 fan-3-G31P",
+           "skip: ends at the first contact"),
     action(520, kOneShot, kSim, kAxes, planLocalShift, true, "fan-6-G52", "local coordinate system"),
-    action(530, kOneShot, kSim, kAxes, planMachineMove, true, "fan-5-G53",
+    action(530, kOneShot, kSim, kAxes, planFanucMachineMove, true, "fan-5-G53",
            "one block in machine coordinates"),
     modal(540, kGroupWorkSystem, kSim, "fan-6-G54", "work system 1", {}, true),
     modal(541, kGroupWorkSystem, kSim, "fan-6-G54.1", "additional work systems", "P", true),

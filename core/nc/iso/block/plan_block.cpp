@@ -153,7 +153,9 @@ bool takeM(IsoContext& c, BlockPlan& plan, const Word& w) {
   plan.flush = plan.flush || found.ends_look_ahead;
   const bool known = found.interrupt != InterruptSwitch::kNone || found.of_place || found.event != nullptr ||
                      found.ofSpindle(c.registers.spindles.programmed);
-  if (found.own == nullptr && !known) {
+  if (found.own == nullptr && !known && c.dialect.unknown_m != nullptr) {
+    if (!c.dialect.unknown_m(c, w, number)) return false;
+  } else if (found.own == nullptr && !known) {
     c.warnOnce(
         fmt::format("M{}", number), "m-function",
         fmt::format("M{} is a function of the machine builder: it has no effect in the simulation", number),
@@ -162,6 +164,14 @@ bool takeM(IsoContext& c, BlockPlan& plan, const Word& w) {
   if (found.own != nullptr && !takeOwnM(c, plan, *found.own)) return false;
   plan.m[static_cast<std::size_t>(plan.m_count)] = &found;
   plan.m_value[static_cast<std::size_t>(plan.m_count++)] = number;
+  if (plan.m_count == c.dialect.rules.m_words + 1 && c.firstTime("several M functions")) {
+    c.warn(
+        "m-words",
+        fmt::format("more than {} M function in a block: not every control takes them, here all are run in "
+                    "their order (told once)",
+                    c.dialect.rules.m_words),
+        w.columns, Severity::kNote);
+  }
   plan.next.last.m = number;
   return true;
 }

@@ -37,6 +37,7 @@ IsoStages::IsoStages(IsoContext& c)
       frame(c.chain),
       axes(c.registers.frames.axes, c.emitter, c.axes, c.settings),
       rapid(c.emitter, c.settings, c.axes),
+      dogleg(c.emitter, c.settings, c.axes),
       zone({c.settings, c.axes, c.parameters, c.registers.program_zone, c.calls, c.emitter, c.pipe, c.alarms,
             c}),
       emit(c.emitter, c.settings.tool_change_s) {}

@@ -40,6 +40,7 @@
 #include "core/nc/iso/stages/axis_stage.h"
 #include "core/nc/iso/stages/comp_stage.h"
 #include "core/nc/iso/stages/contour_alarms.h"
+#include "core/nc/iso/stages/dogleg_stage.h"
 #include "core/nc/iso/stages/stage_recovery.h"
 #include "core/nc/iso/stages/transform_stage.h"
 #include "core/nc/iso/stages/virtual_stage.h"
@@ -144,6 +145,7 @@ struct IsoStages {
   FrameStage frame;
   AxisStage axes;
   RapidOverlapStage rapid;
+  DoglegStage dogleg;  ///< in place of `rapid`
   ZoneStage zone;
   EmitStage emit;
 };

@@ -36,37 +36,9 @@ bool integerWord(IsoContext& c, const Word& w, std::int64_t min, std::int64_t ma
   return true;
 }
 
-namespace {
-
-/// The units of the block: a G20 or G21 that stands in it counts for all its words.
-bool inchBlock(const IsoContext& c) {
-  std::int32_t units = c.state.active[kGroupUnits];
-  for (const Word& w : c.block.words) {
-    const GCode* const code = w.address == 'G' ? c.codes.g(code10Of(w)) : nullptr;
-    if (code != nullptr && code->group == kGroupUnits) units = code->code10;
-  }
-  return units == gcode::kInch;
-}
-
-bool hasPoint(const Block& block, const Word& w) {
-  const auto begin = static_cast<std::size_t>(w.columns.begin - 1);
-  const auto length = static_cast<std::size_t>(w.columns.end - w.columns.begin);
-  return block.text.substr(begin, length).find('.') != std::string_view::npos;
-}
-
-}  // namespace
-
-void takeIncrements(IsoContext& c, std::size_t first) {
-  if (c.dialect.increments.empty()) return;
-  const bool inch = inchBlock(c);
-  for (std::size_t k = first; k < c.block.words.size(); ++k) {
-    Word& w = c.block.words[k];
-    if (w.from_expression || hasPoint(c.block, w)) continue;
-    for (const IncrementWords& row : c.dialect.increments) {
-      if (row.addresses.has(w.address)) w.value *= inch ? row.inch : row.metric;
-    }
-    w.is_integer = std::floor(w.value) == w.value;
-  }
+bool takeWords(IsoContext& c) {
+  if (c.dialect.take_words == nullptr || c.data_input != nullptr) return true;
+  return c.dialect.take_words(c);
 }
 
 bool checkRepeats(IsoContext& c) {
@@ -74,8 +46,9 @@ bool checkRepeats(IsoContext& c) {
   if (!block.negative.empty()) {
     const auto at = std::find_if(block.words.begin(), block.words.end(),
                                  [&](const Word& w) { return w.columns.begin == block.negative_at.begin; });
-    return c.alarm(SharedAlarm::kOutOfRange, addressText(at->address), "no minus sign here",
-                   block.negative_at);
+    const bool sign = c.dialect.lexing.number_alarms;
+    return c.alarm(sign ? SharedAlarm::kSign : SharedAlarm::kOutOfRange, addressText(at->address),
+                   "no minus sign here", block.negative_at);
   }
   if (block.repeated.empty()) return true;
   const auto at = std::find_if(block.words.begin(), block.words.end(),

@@ -17,9 +17,9 @@ std::int32_t code10Of(const Word& w);
 std::int32_t mNumber(const Word& w);
 /// A length of the block in mm.
 inline double lengthOf(const BlockPlan& plan, const Word& w) { return w.value * plan.next.unitScale(); }
-/// Turns words of the block without a decimal point that count in least increments (IsoDialect::increments)
-/// into units, words from index `first` on.
-void takeIncrements(IsoContext& c, std::size_t first = 0);
+/// The words of the block as the control reads their numbers (IsoDialect::take_words); data blocks are left
+/// as they are. False: reported.
+bool takeWords(IsoContext& c);
 /// The integer that a word must hold. False, with alarm 2002: no integer, or out of range.
 bool integerWord(IsoContext& c, const Word& w, std::int64_t min, std::int64_t max, std::int64_t& out);
 /// Whether polar data (G16) change the meaning of axis words, and whether coordinates go on with rotary axes.

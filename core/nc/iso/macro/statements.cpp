@@ -156,14 +156,13 @@ Go IsoControl::behindIf() {
     failStatement(c, lexer_.error());
     return alarm();
   }
-  takeIncrements(c);
   if (block.skip != skip || block.program >= 0 || block.percent || (!numbered && block.number >= 0)) {
     c.alarm(SharedAlarm::kSyntax, "", "block number, program number and skip stand in front of IF");
     return alarm();
   }
   MacroCall call;
   if (findCall(true, call)) return callMacro(call);
-  return checkRepeats(c) ? execute() : alarm();
+  return checkRepeats(c) && takeWords(c) ? execute() : alarm();
 }
 
 Go IsoControl::goTo(std::size_t pos) {

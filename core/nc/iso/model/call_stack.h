@@ -52,6 +52,8 @@ struct CallFrame : FlowFrame {
   bool interrupt = false;  ///< opened by the interrupt signal
   FlowRequest waiting;     ///< to be done when the calls that the block put off are done
   Arguments args;
+  std::size_t more_line = 0;  ///< with more_from > 0: the line, index, that has another block there
+  std::size_t more_from = 0;  ///< index into its text
 
   /// The program is all of that text, which must outlive the frame; `its_file`: file index of the path.
   void setProgram(SourceText& its_text, std::uint32_t its_file) {

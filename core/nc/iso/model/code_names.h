@@ -38,7 +38,7 @@ inline constexpr std::int32_t kChipBreakBesideTurning = 831, kTapLeftBesideTurni
                               kFineBoreBesideTurning = 861;
 inline constexpr std::int32_t kRigidTap = 842, kRigidTapLeft = 843, kCycleCancel = 800, kGearOff = 808;
 inline constexpr std::int32_t kAbsolute = 900, kIncremental = 910;
-inline constexpr std::int32_t kFeedPerMinute = 940, kFeedPerTurn = 950;
+inline constexpr std::int32_t kInverseTime = 930, kFeedPerMinute = 940, kFeedPerTurn = 950;
 inline constexpr std::int32_t kSurfaceSpeed = 960, kSurfaceSpeedOff = 970;
 inline constexpr std::int32_t kReturnToInitial = 980, kReturnToR = 990;
 

@@ -55,13 +55,6 @@ struct MessageNumbers {
   int box = 3000;    ///< #3107
 };
 
-/// Words without a decimal point that count in least increments.
-struct IncrementWords {
-  AddressSet addresses;
-  double metric = 0.001;  ///< of a unit, G21
-  double inch = 0.0001;   ///< of a unit, G20
-};
-
 /// Where controls of the family do the same statement differently. The defaults are those of nct; a member
 /// says what the others do.
 struct IsoRules {
@@ -76,11 +69,16 @@ struct IsoRules {
       false;                    ///< of a motion code and a cycle in a block the later one holds; false: clash
   int local_call = -1;          ///< M code whose P is a block N of the same program to call; -1: none
   bool words_behind_if = true;  ///< IF[...] G0 X1; false: only statements of the macro language
-  bool loops_are_closed = false;    ///< GOTO cannot enter a loop behind its DO
-  std::int64_t lowest_jump = 0;     ///< smallest block number of GOTO
-  bool channel_in_messages = true;  ///< messages show the channel beside their number
-  bool names_output = true;         ///< the first DPRNT behind POPEN 31 names the file; false: POPEN alone,
-                                    ///< and what is written goes to `macro.txt`
+  bool loops_are_closed = false;      ///< GOTO cannot enter a loop behind its DO
+  std::int64_t lowest_jump = 0;       ///< smallest block number of GOTO
+  bool channel_in_messages = true;    ///< messages show the channel beside their number
+  bool names_output = true;           ///< the first DPRNT behind POPEN 31 names the file; false: POPEN alone,
+                                      ///< and what is written goes to `macro.txt`
+  int m_words = 8;                    ///< more M functions than that in a block are noted; over 8 are refused
+  bool probe_in_transforms = false;   ///< G31 goes with scaling, mirroring, rotation and polar data
+  bool loose_arcs = false;            ///< an arc tolerance of 0 checks nothing, and a centre word of 0 across
+                                      ///< the plane is no word
+  bool short_radius_is_half = false;  ///< R within the tolerance of half the chord makes a half circle
 };
 
 struct IsoDialect {
@@ -90,7 +88,6 @@ struct IsoDialect {
   const ParameterTable& parameters;
   std::reference_wrapper<const FormulaLanguage> formulas;  ///< whose variables are #n
   LexRules lexing = {};  ///< formulas and names of axes come from the channel
-  std::span<const IncrementWords> increments = {};
   ProgramLayout layout = ProgramLayout::kOneInAFile;
   MessageNumbers messages = {};
   IsoRules rules = {};
@@ -114,6 +111,16 @@ struct IsoDialect {
   std::unique_ptr<MakerData> (*maker_data)(IsoContext&) = nullptr;
   /// Plans a block: all checks, on the plan's copy of the state. Null: planBlock().
   bool (*plan)(IsoContext&, BlockPlan&) = nullptr;
+  /// Takes the numbers of a block's words in hand before anything else asks for them: what counts in least
+  /// increments, rounding, ranges. Not asked of blocks that call a macro. False: reported. Null: they are as
+  /// written.
+  bool (*take_words)(IsoContext&) = nullptr;
+  /// An M function that neither the control nor the job knows. False: reported. Null: it is told.
+  bool (*unknown_m)(IsoContext&, const Word&, int number) = nullptr;
+  /// Shifts of G52 and G92 at the end of a program. Null: they are 0.
+  void (*end_shifts)(IsoContext&) = nullptr;
+  /// The channel stands at power-on, its first program is about to be read. Null: nothing is to be done.
+  void (*begin)(IsoContext&) = nullptr;
   /// What stands otherwise in the state of power-on, which is nct's. Null: nothing.
   void (*power_on)(const IsoContext&, IsoState&) = nullptr;
   /// Plans T. Null: planTool().

@@ -1,6 +1,8 @@
 // What motion blocks plan beside PlannedMotion.
 #pragma once
 
+#include <array>
+
 #include "core/machine/axis_point.h"
 
 namespace proveout::nc {
@@ -22,6 +24,16 @@ struct ThreadStart {
   bool tell = false;
   double lead = 0.0;       ///< mm/turn
   double angle_deg = 0.0;  ///< of the spindle
+};
+
+/// A curve that goes along chords (motion/curve.h): a point of it, program coordinates X, Y, Z in mm, for t
+/// in 0..1. The data are the function's own.
+struct CurveMove {
+  using Function = Vec3 (*)(const CurveMove&, double t);
+  Function at = nullptr;
+  std::array<double, 12> data{};
+  const void* more = nullptr;  ///< must live until the curve is carried out
+  int pieces = 1;              ///< equal parts of 0..1 in which the curve bends no more than a few times
 };
 
 /// G5.1.

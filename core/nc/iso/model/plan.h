@@ -37,8 +37,8 @@ using PerformFunction = bool (*)(IsoContext&, BlockPlan&);
 
 /// What a plan function leaves for its perform function. A chapter adds its struct, which owns no memory.
 using PlanPayload =
-    std::variant<std::monostate, Dwell, MachineMove, ThreadStart, Smoothing, SkipMove, LengthMove, Holes,
-                 ZoneChange, OffsetChange, FrameChange, ToolTableInput, TiltInput>;
+    std::variant<std::monostate, Dwell, MachineMove, ThreadStart, CurveMove, Smoothing, SkipMove, LengthMove,
+                 Holes, ZoneChange, OffsetChange, FrameChange, ToolTableInput, TiltInput>;
 static_assert(std::is_trivially_destructible_v<PlanPayload>);
 
 /// What the motion codes share: axisTarget() fills target and named, the rest belongs to the motion.

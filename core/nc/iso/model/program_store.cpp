@@ -101,6 +101,7 @@ ProgramStore::Loaded ProgramStore::load(const Result<ProgramText>& text) {
   if (!utf8.ok()) return {nullptr, 0, Failure::kEncoding, text->name + ": " + utf8.error().message};
   auto whole = std::make_unique<SourceText>(text->name, text->path, std::move(*utf8));
   whole->setEncoding(encoding);
+  if (layout_ == ProgramLayout::kSeveralInAFile) whole->setCommentsEndInLine();
   std::vector<ProgramHead> heads;
   if (layout_ == ProgramLayout::kSeveralInAFile) heads = programHeads(whole->lines(), true);
   Loaded loaded;

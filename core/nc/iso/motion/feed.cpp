@@ -104,10 +104,37 @@ int directionOf(const IsoContext& c, const BlockPlan& plan) {
 
 }  // namespace
 
+namespace {
+
+/// What the feed of the planned motion is the speed of, mm or degrees: G93 tells how long it takes.
+double wayOf(const IsoContext& c, const BlockPlan& plan, FeedStyle& style) {
+  const PlannedMotion& motion = plan.motion;
+  double sum = 0.0;
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
+    const double d = motion.target[axis] - plan.start[axis];
+    sum += d * d;
+  }
+  if (motion.is_arc) {
+    const double rise = motion.arc.end.z() - motion.arc.start.z();
+    style.along = FeedStyle::Along::kSpace;
+    return std::hypot(planeLength(motion.arc), rise);
+  }
+  style.paced_mm = std::sqrt(sum);
+  return style.paced_mm;
+}
+
+}  // namespace
+
 bool feedStyle(IsoContext& c, BlockPlan& plan, FeedStyle& style) {
+  const bool inverse = plan.next.active[kGroupFeedMode] == gcode::kInverseTime;
+  if (inverse && !c.block.present.has('F'))
+    return c.fail("feed", "no feed is programmed: under G93 every block that moves needs F");
   if (plan.next.feed <= 0.0) return c.fail("feed", "no feed is programmed: a feed motion needs F");
   style.feed = plan.next.feed * plan.next.unitScale();
-  if (plan.next.perTurn()) style.feed *= turnsPerMinute(c, plan);
+  if (inverse) {
+    style.feed = plan.next.feed * wayOf(c, plan, style);
+  } else if (plan.next.perTurn())
+    style.feed *= turnsPerMinute(c, plan);
   style.join = joinOf(plan);
   style.spindle = surfaceSpeedRuns(c, plan) ? directionOf(c, plan) * surfaceMeanRpm(c, plan) : 0.0;
   return true;

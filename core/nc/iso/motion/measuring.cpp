@@ -21,7 +21,7 @@ constexpr double kTorque = 98.0;
 constexpr double kProbeInputs = 8.0;
 
 /// The code in force that measuring is not allowed with (2055); 0: none.
-int codeInTheWay(const IsoState& s, bool any_compensation) {
+int codeInTheWay(const IsoContext& c, const IsoState& s, bool any_compensation) {
   struct Needed {
     IsoGroup group;
     int code10;
@@ -30,13 +30,14 @@ int codeInTheWay(const IsoState& s, bool any_compensation) {
        {Needed{kGroupPolarData, gcode::kPolarDataOff}, Needed{kGroupScaling, gcode::kScalingOff},
         Needed{kGroupMirror, gcode::kMirrorOff}, Needed{kGroupRotation, gcode::kRotationOff},
         Needed{kGroupFeedMode, gcode::kFeedPerMinute}}) {
+    if (c.dialect.rules.probe_in_transforms && need.group != kGroupFeedMode) continue;
     if (s.active[need.group] != need.code10) return s.active[need.group];
   }
   return !any_compensation && s.compOn() ? s.active[kGroupRadiusComp] : 0;
 }
 
 bool checkState(IsoContext& c, const BlockPlan& plan, bool any_compensation) {
-  int code = codeInTheWay(plan.next, any_compensation);
+  int code = codeInTheWay(c, plan.next, any_compensation);
   if (code == 0 && !any_compensation && c.state.compOn()) code = c.state.active[kGroupRadiusComp];
   return code == 0 || c.alarm(SharedAlarm::kProbeState, gName(code));
 }

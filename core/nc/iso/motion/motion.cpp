@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
@@ -11,6 +12,7 @@
 #include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/motion/machine_moves.h"
 #include "core/nc/iso/motion/planes.h"
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/perform/unused_words.h"
@@ -69,7 +71,7 @@ ArcFailure describe(ArcError error) {
     case ArcError::kNoDefinition:
       return {SharedAlarm::kCircle, "circle definition error: neither R nor I, J, K is given"};
     case ArcError::kCenterOutsidePlane:
-      return {SharedAlarm::kCircle,
+      return {SharedAlarm::kCircleCentre,
               "circle definition error: a centre word does not belong to the selected plane"};
     case ArcError::kRadiusWithoutEnd:
       return {SharedAlarm::kCircle, "circle definition error: R needs an end point in the plane"};
@@ -114,6 +116,7 @@ bool arcRequest(IsoContext& c, const BlockPlan& plan, ArcRequest& request) {
       return c.alarm(SharedAlarm::kIllegalAddress, *w, "arcs during G7.1 are given by R");
     }
     double value = lengthOf(plan, *w);
+    if (value == 0.0 && axis == frame.w() && c.dialect.rules.loose_arcs) continue;
     if (c.parameters.flag(MotionParam::kAbsoluteCentre)) {
       value -= plan.start[axis == frame.u() ? plane.u : axis == frame.v() ? plane.v : axis];
     }
@@ -187,6 +190,9 @@ bool planArc(IsoContext& c, BlockPlan& plan) {
   if (!refuseChoice(c, plan) || !arcRequest(c, plan, request)) return false;
   ArcPolicy policy;
   policy.radius_tolerance = c.parameters[MotionParam::kRadiusDifference];
+  if (c.dialect.rules.loose_arcs && policy.radius_tolerance == 0.0)
+    policy.radius_tolerance = std::numeric_limits<double>::infinity();
+  policy.short_radius_is_half = c.dialect.rules.short_radius_is_half;
   const ArcResolution resolved = resolveArc(request, policy);
   if (!resolved.ok()) return failArc(c, resolved);
   const bool open = !c.parameters.given(MotionParam::kRadiusDifference);
@@ -220,6 +226,7 @@ bool planArc(IsoContext& c, BlockPlan& plan) {
   takePolarTurns(plan, request);
   if (!checkTurns(c, plan) || !carryArc(c, plan)) return false;
   if (!planJoin(c, plan) || !feedStyle(c, plan, plan.motion.feed)) return false;
+  if (plan.next.active[kGroupFeedMode] == gcode::kInverseTime) return true;
   const bool spiral = resolved.radius_difference > 1e-9;
   plan.motion.feed.along = c.parameters.flag(MotionParam::kHelixFeedSpace) ? FeedStyle::Along::kSpace
                            : spiral && !request.turns                      ? FeedStyle::Along::kStartRadius
@@ -252,8 +259,6 @@ bool planDwell(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
-namespace {
-
 bool performMachineMove(IsoContext& c, BlockPlan& plan) {
   const MachineMove& move = std::get<MachineMove>(plan.payload);
   if (move.has_via && !sendMachineRapid(c, move.via)) return false;
@@ -262,7 +267,13 @@ bool performMachineMove(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
-/// Whether the job or the program says where machine zero lies from the workpiece.
+Vec3 homeOf(const IsoContext& c) {
+  Vec3 home = c.emitter.home();
+  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.stages.zone.ceiling(2));
+  if (!way.empty()) home.z() = way.front()[2];
+  return home;
+}
+
 bool machineZeroKnown(const IsoContext& c) {
   const ControlSettings& s = c.settings;
   const auto given = [](bool one) { return one; };
@@ -272,6 +283,8 @@ bool machineZeroKnown(const IsoContext& c) {
          std::any_of(s.work_offsets.begin(), s.work_offsets.end(), moved) ||
          moved(c.registers.frames.system(c.state.work_system).offset.xyz);
 }
+
+namespace {
 
 void warnOfMachineZero(IsoContext& c, bool known) {
   if (c.settings.reference_points[0]) return;
@@ -283,14 +296,6 @@ void warnOfMachineZero(IsoContext& c, bool known) {
           : "G53: nothing says where machine zero lies: Z goes to the top of travel, where the tool starts "
             "above the stock; a job file tells machine zero by G54 under [offsets.work], which is the "
             "workpiece's zero seen from it");
-}
-
-/// The reference point that nobody named: where the machine starts, no lower than where it changes tools.
-Vec3 homeOf(const IsoContext& c) {
-  Vec3 home = c.emitter.home();
-  const auto way = toolChangeWay(c.settings, AxisPoint(home), c.stages.zone.ceiling(2));
-  if (!way.empty()) home.z() = way.front()[2];
-  return home;
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "core/nc/iso/motion/axis_setup.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/perform/perform.h"
+#include "core/nc/iso/program/block_ends.h"
 #include "core/nc/iso/program/reset.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/spindle/wait.h"
@@ -24,6 +25,9 @@ namespace {
 
 LexRules lexRules(IsoContext& c) {
   LexRules rules = c.dialect.lexing;
+  for (std::size_t k = 0; k < c.settings.skip_switches.size(); ++k) {
+    if (c.settings.skip_switches[k]) rules.skip_switches |= static_cast<std::uint16_t>(1u << k);
+  }
   rules.expressions = &c.macro;
   rules.names = &c.axes.names();
   return rules;
@@ -87,6 +91,7 @@ bool IsoControl::start() {
   if (!takeMachineData(c) || !checkMachineAxes(c)) return false;
   levelDrives(c);
   powerOn(c);
+  if (c.dialect.begin != nullptr) c.dialect.begin(c);
   configureFeeds(c);
   if (!c.stages.zone.configure()) return false;
   if (settings.start_by_default) {
@@ -156,7 +161,8 @@ Reading IsoControl::read() {
   CallFrame& frame = run_.top();
   Block& block = c.block;
   lexer_.setMode(c.data_input ? LexMode::kData : LexMode::kBlock);
-  const bool lexed = lexer_.lex(frame.text->lines()[frame.block], block);
+  const BlockSpan span = nextSpan(c, frame);
+  const bool lexed = lexer_.lex(frame.text->lines()[frame.block].substr(0, span.end), block, span.from);
   frame.number = block.number;
   c.setBlock(frame.block, block.number);
   // CBB = 0: the switch is read when the block before is done.
@@ -165,7 +171,9 @@ Reading IsoControl::read() {
   if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)])
     return Reading::kSkipped;
   bool good = lexed || c.fail(lexer_.error());
-  takeIncrements(c);
+  if (c.dialect.lexing.comments_end_in_line) noteComments(c);
+  if (c.dialect.lexing.named_programs && block.has_file && tape_.onlyHeaderAbove(c.calls))
+    block.has_file = false;  // the name of the program
   if (good && block.percent) {
     const bool head = tape_.onlyHeaderAbove(c.calls);
     if (head) noteTapeName(c);
@@ -174,7 +182,7 @@ Reading IsoControl::read() {
   }
   macro_call_ = {};
   calls_macro_ = good && findCall(false, macro_call_);
-  good = good && (calls_macro_ || (checkRepeats(c) && tape_.checkHeader(c)));
+  good = good && (calls_macro_ || (checkRepeats(c) && tape_.checkHeader(c) && takeWords(c)));
   if (good && block.empty()) return Reading::kEmpty;
   return good ? Reading::kBlock : Reading::kBad;
 }

@@ -50,7 +50,7 @@ Go IsoControl::flow(const FlowRequest& request) {
   const SourceText& text = *context_.calls.top().text;
   const bool returns = request.code == mcode::kReturn;
   // Behind M99 the text goes on wherever something jumps to; it may be asked very often.
-  if (!returns || lexer_.inComment()) {
+  if (!context_.dialect.lexing.comments_end_in_line && (!returns || lexer_.inComment())) {
     if (const auto open = commentOpenAtEnd(text.lines(), context_.calls.lineIndex()))
       return commentLeftOpen(open);
   }
@@ -211,6 +211,7 @@ bool IsoControl::jump(CallFrame& frame, std::int64_t block, std::size_t from, Sh
   }
   if (label.repeated) warnRepeated(frame, block, from);
   frame.next = static_cast<std::size_t>(label.line_index);
+  frame.more_from = 0;
   if (frame.next == 0) tape_.skipLeader(c, frame);
   lexer_.setInComment(false);
   return true;

@@ -118,7 +118,11 @@ void resetAtEnd(IsoContext& c) {
   s.automatic = AutomaticBits();
   s.rigid_tap = RigidTap::kOff;
   c.interrupt = InterruptMacro();
-  c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
+  if (c.dialect.end_shifts != nullptr) {
+    c.dialect.end_shifts(c);
+  } else {
+    c.registers.frames.shift52 = c.registers.frames.shift92 = AxisPoint();
+  }
   if (s.active[kGroupZones] == gcode::kZoneOff && c.registers.program_zone) {
     c.registers.program_zone.reset();
     c.stages.zone.configure();
