@@ -97,28 +97,14 @@ const CodeIndex& fanucLatheCodes() {
 }
 
 const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings) {
-  static const IsoDialect kCalculator = dialectOf("fanuc-mill", fanucMillCodes(), false);
-  static const IsoDialect kIncrement = dialectOf("fanuc-mill", fanucMillCodes(), true);
-  static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes(), false));
-  static const IsoDialect kHaasIncrement = haasOf(dialectOf("fanuc-mill", haasMillCodes(), true));
-  const bool increment = chosen(settings, FanucParam::kDecimal);
-  if (chosen(settings, FanucParam::kFlavour))
-    return macroVariant(increment ? kHaasIncrement : kHaas, settings);
-  return macroVariant(increment ? kIncrement : kCalculator, settings);
+  static const IsoDialect kMill = dialectOf("fanuc-mill", fanucMillCodes());
+  static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes()));
+  return macroVariant(chosen(settings, FanucParam::kFlavour) ? kHaas : kMill, settings);
 }
 
 const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& settings) {
-  static const IsoDialect kCalculator = dialectOf("fanuc-lathe", fanucLatheCodes(), false);
-  static const IsoDialect kIncrement = dialectOf("fanuc-lathe", fanucLatheCodes(), true);
-  return macroVariant(chosen(settings, FanucParam::kDecimal) ? kIncrement : kCalculator, settings);
-  static const IsoDialect kMill = dialectOf("fanuc-mill", fanucMillCodes());
-  static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes()));
-  return chosen(settings, FanucParam::kFlavour) ? kHaas : kMill;
-}
-
-const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& /*settings*/) {
   static const IsoDialect kLathe = dialectOf("fanuc-lathe", fanucLatheCodes());
-  return kLathe;
+  return macroVariant(kLathe, settings);
 }
 
 }  // namespace proveout::nc
