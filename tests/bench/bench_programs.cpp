@@ -156,9 +156,14 @@ void printInterpreterRate(const Workplace& work, const Options& options) {
   const std::string text = repeatedProgram(readFile(sharedFolder() + "/bear.nc"), kBlocks);
   const auto blocks = static_cast<double>(std::count(text.begin(), text.end(), '\n'));
   const std::string program = work.write("long.nc", text), empty = work.write("empty.nc", "M30\n");
-  for (const char* command : {"check", "path"}) {
+  struct Asked {
+    const char *command, *control;
+  };
+  for (const Asked asked :
+       {Asked{"check", "nct"}, {"path", "nct"}, {"check", "fanuc-mill"}, {"check", "linuxcnc"}}) {
+    const std::string command = fmt::format("{} {}", asked.command, asked.control);
     const auto run = [&](const std::string& file) {
-      return runChild({programPath(), command, file, "--control", "nct"}, work.path("errors"),
+      return runChild({programPath(), asked.command, file, "--control", asked.control}, work.path("errors"),
                       options.limit_s);
     };
     const ChildOutcome idle = run(empty), child = run(program);

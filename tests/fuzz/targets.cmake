@@ -1,5 +1,5 @@
 # The fuzz targets and what each is made of, for the fuzzer and for the replay of what it has kept.
-set(PROVEOUT_FUZZ_TARGETS nct wl4 flexnc wedm template channels mesh stock vdb job machine setups options)
+set(PROVEOUT_FUZZ_TARGETS nct fanuc linuxcnc wl4 flexnc wedm template channels mesh stock vdb job machine setups options)
 set(PROVEOUT_FUZZ_LIBRARIES_mesh proveout::io proveout::removal proveout::compare)
 set(PROVEOUT_FUZZ_LIBRARIES_stock proveout::removal proveout_openvdb)
 set(PROVEOUT_FUZZ_LIBRARIES_vdb proveout::removal)
