@@ -97,7 +97,8 @@ void addPlacement(CLI::App& app, NominalOptions& options) {
 void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("INPUT", options.input, "Job file (*.toml) or NC program")->required()->check(notEmpty());
   app.add_option("--control", options.control,
-                 "Virtual control, with a program: nct, ...; `proveout coverage` lists them")
+                 "Virtual control, with a program; `proveout coverage` lists them;\ndefault: auto, the one that the "
+                 "program looks like")
       ->type_name("NAME");
   app.add_option("--subprograms", options.subprograms,
                  "File or folder with subprograms, with a program; repeatable")

@@ -14,7 +14,7 @@ namespace proveout {
 /// A program or a job, for the commands that interpret.
 struct ProgramOptions {
   std::string input;                   ///< job file (*.toml) or program
-  std::optional<std::string> control;  ///< needed with a program
+  std::optional<std::string> control;  ///< with a program; none: the program tells it
   std::vector<std::string> subprograms;
   std::optional<std::string> setup;  ///< name of a clamping of the job
   std::optional<std::string> until;  ///< "120" (line) or "N70" (block number)

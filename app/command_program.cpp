@@ -13,6 +13,7 @@
 #include "app/session/machining/programs.h"
 #include "app/session/programs/first_offset.h"
 #include "app/session/programs/interpretation.h"
+#include "app/session/run/control_choice.h"
 #include "app/time_limit.h"
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"
@@ -102,6 +103,7 @@ Result<Interpretation> interpretInto(const Job& job, std::size_t setup, MotionSi
   const JobSources sources(job);
   const RecordingSource& source = *sources.all()[setup];
   DiagnosticsTap tap(sink);
+  if (const auto note = choiceNote(jobOfSetup(job, setup))) tap.diagnostic(*note);
   Result<ControlSettings> settings = settingsOf(job, setup, source, tap, progress);
   if (!settings) return settings.error();
   Interpretation result;

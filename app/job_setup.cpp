@@ -9,9 +9,12 @@
 #include <filesystem>
 
 #include "app/console.h"
+#include "app/input_files.h"
 #include "app/offset_options.h"
+#include "app/session/run/control_choice.h"
 #include "app/session/run/job_defaults.h"
 #include "app/session/run/process.h"
+#include "app/session/run/recording_source.h"
 #include "core/nc/registry/interpreter.h"
 #include "io/atomic_file.h"
 #include "io/job/template_files.h"
@@ -43,12 +46,8 @@ std::optional<UntilBlock> parseUntil(const std::string& text) {
 }
 
 std::optional<Job> jobFromProgram(const ProgramOptions& options, Diagnostics& diagnostics) {
-  if (!options.control) {
-    diagnostics.add(usageError("a program needs --control NAME; `proveout coverage` lists the controls"));
-    return std::nullopt;
-  }
   Job job;
-  job.control = *options.control;
+  job.control = options.control.value_or(std::string(kAutoControl));
   job.program = options.input;
   job.name = fs::path(options.input).stem().string();
   job.subprograms = options.subprograms;
@@ -224,6 +223,13 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
   }
 }
 
+/// Lets the programs of the job tell their controls.
+Status tellControls(Job& job) {
+  if (Status settled = settleInputs(namedInputs(job)); !settled) return settled;
+  const JobSources sources(job);
+  return chooseControls(job, {sources.all().begin(), sources.all().end()});
+}
+
 }  // namespace
 
 JobNames knownJobNames() {
@@ -246,6 +252,12 @@ std::optional<Job> setUpJob(const ProgramOptions& options, Diagnostics& diagnost
     job = jobFromProgram(options, diagnostics);
   }
   if (!job) return std::nullopt;
+  if (leavesControl(*job)) {
+    if (const Status told = tellControls(*job); !told) {
+      diagnostics.add(usageError(told.error().message));
+      return std::nullopt;
+    }
+  }
   for (const std::string& name : controlsOf(*job)) {
     if (const Result<ControlId> control = findControl(name); !control) {
       diagnostics.add(usageError(control.error().message));

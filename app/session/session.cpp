@@ -18,6 +18,7 @@
 #include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nominal/placement_search.h"
 #include "app/session/programs/clearance.h"
+#include "app/session/run/control_choice.h"
 #include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
@@ -238,7 +239,11 @@ Result<RunResult> runRecorded(const Job& job, const RunSources& sources, Progres
 Result<RunResult> runJob(const Job& job, Progress& progress) {
   const ThreadSupply threads(job.simulation.threads);
   const JobSources sources(job);
-  return runRecorded(job, sources.all(), progress);
+  if (!leavesControl(job)) return runRecorded(job, sources.all(), progress);
+  Job told = job;
+  if (Status done = chooseControls(told, {sources.all().begin(), sources.all().end()}); !done)
+    return done.error();
+  return runRecorded(told, sources.all(), progress);
 }
 
 Result<RunResult> runJob(const Job& job, const std::vector<const ProgramSource*>& programs,
@@ -254,7 +259,10 @@ Result<RunResult> runJob(const Job& job, const std::vector<const ProgramSource*>
     recorded.push_back(std::make_unique<RecordingSource>(*programs[k], jobOfSetup(job, k).settings.encoding));
     sources.push_back(recorded.back().get());
   }
-  return runRecorded(job, sources, progress);
+  if (!leavesControl(job)) return runRecorded(job, sources, progress);
+  Job told = job;
+  if (Status done = chooseControls(told, programs); !done) return done.error();
+  return runRecorded(told, sources, progress);
 }
 
 }  // namespace proveout

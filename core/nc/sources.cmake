@@ -216,4 +216,5 @@ target_sources(proveout_core PRIVATE
 include(nc/fanuc/sources.cmake)
 include(nc/linuxcnc/sources.cmake)
 include(nc/flexnc/sources.cmake)
+include(nc/guess/sources.cmake)
 include(nc/services/sources.cmake)

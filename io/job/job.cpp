@@ -108,6 +108,7 @@ Job jobOfSetup(const Job& job, std::size_t index) {
   PROVEOUT_ASSERT(index < job.setups.size());
   const SetupSpec& setup = job.setups[index];
   if (!setup.control.empty()) part.control = setup.control;
+  if (!setup.control_note.empty() || !setup.control.empty()) part.control_note = setup.control_note;
   if (!setup.tools.empty()) part.tools = setup.tools;
   part.program = setup.program;
   part.filled = setup.filled;

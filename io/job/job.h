@@ -97,10 +97,17 @@ struct TemplateUse {
   TextEncoding encoding = TextEncoding::kAuto;  ///< of the template; what comes out of it is UTF-8
 };
 
+/// The control that a job names where the program itself is to tell: see chooseControls.
+inline constexpr std::string_view kAutoControl = "auto";
+/// Settings of controls by the name of their table `[control.NAME]`.
+using SettingsByTable = std::map<std::string, std::map<std::string, double>>;
+
 /// One clamping of the workpiece, with the program that is run in it.
 struct SetupSpec {
   std::string name;                      ///< not empty; names differ
   std::string control;                   ///< name; empty: the job's
+  std::string control_note;              ///< as Job::control_note
+  SettingsByTable settings_by_table;     ///< as Job::settings_by_table
   std::string machine_file;              ///< as Job::machine_file, of a setup with a control of its own
   std::vector<Tool> tools;               ///< empty: the job's
   std::string program;                   ///< path
@@ -127,6 +134,8 @@ struct Job {
   std::string path;                      ///< of the job file; empty for a job made on the command line
   std::string name;                      ///< defaults to the job file's name without extension
   std::string control;                   ///< name; see JobNames
+  std::string control_note;              ///< why this control, where the program told it; else empty
+  SettingsByTable settings_by_table;     ///< of a job whose control is kAutoControl
   std::string machine_file;              ///< path of `[machine] file`; empty: none
   std::string program;                   ///< path of the main program
   std::optional<TemplateUse> filled;     ///< `program` is a template
@@ -187,6 +196,8 @@ struct JobNames {
   std::vector<std::string> views;     ///< of the renderer
   /// By control. A control without an entry has its parameters checked by the interpreter alone.
   std::map<std::string, std::vector<ParameterRange>> parameters;
+  /// By control: NAME of its table `[control.NAME]`, which several may share. Without an entry: its own name.
+  std::map<std::string, std::string> settings_tables = {};
   /// `program` is a name for diagnostics, not a file: the programs come from elsewhere. Subprograms are
   /// files.
   bool programs_in_memory = false;

@@ -30,8 +30,13 @@ std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::st
 /// Reads `N1339 = 0.01` and `N1337.SEC = 1`, which TOML turns into a table.
 class ParameterReader {
  public:
-  ParameterReader(const ConfigDocument& document, const JobNames& names, Job& job)
-      : document_(document), job_(job), ranges_(parameterRanges(names, job.control)) {
+  /// `control`: whose parameters these are; they go to `values`.
+  ParameterReader(const ConfigDocument& document, const JobNames& names, std::string control,
+                  std::map<std::string, double>& values)
+      : document_(document),
+        control_(std::move(control)),
+        values_(values),
+        ranges_(parameterRanges(names, control_)) {
     for (const ParameterRange& range : ranges_) known_.push_back(range.name);
   }
 
@@ -67,14 +72,14 @@ class ParameterReader {
     } else if (!ranges_.empty()) {
       const std::string nearest = nearestName(name, known_);
       document_.error(entry.place, "job-unknown-key",
-                      fmt::format("control '{}' has no parameter '{}'{}", job_.control, shortened(name),
+                      fmt::format("control '{}' has no parameter '{}'{}", control_, shortened(name),
                                   nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
       return;
     }
     const auto number = found != ranges_.end() && !found->choices.empty()
                             ? readChoice(entry, name, found->choices)
                             : readNumber(document_, entry.value, name, range);
-    if (number && !job_.settings.parameters.emplace(name, *number).second) {
+    if (number && !values_.emplace(name, *number).second) {
       document_.error(entry.place, "job-value", fmt::format("parameter '{}' is set twice", name));
     }
   }
@@ -91,15 +96,46 @@ class ParameterReader {
   }
 
   const ConfigDocument& document_;
-  Job& job_;
+  std::string control_;
+  std::map<std::string, double>& values_;
   std::vector<ParameterRange> ranges_;
   std::vector<std::string> known_;
 };
 
 void readControlName(ConfigTable& table, const std::string& key, const JobNames& names, Job& job) {
-  table.require(key);
-  const auto name = names.controls.empty() ? table.text(key) : table.choice(key, names.controls);
-  if (name) job.control = *name;
+  std::vector<std::string> known = names.controls;
+  known.emplace_back(kAutoControl);
+  const bool given = table.find(key) != nullptr;
+  const auto name = names.controls.empty() ? table.text(key) : table.choice(key, known);
+  if (name)
+    job.control = *name;
+  else if (!given)
+    job.control = kAutoControl;
+}
+
+/// NAME of `[control.NAME]`.
+std::string settingsTableOf(const JobNames& names, const std::string& control) {
+  const auto found = names.settings_tables.find(control);
+  return found == names.settings_tables.end() ? control : found->second;
+}
+
+/// Where the program says which control it is for, the job may have settings of each that it can be.
+void readSettingsOfAll(ConfigTable& control, const JobNames& names, Job& job) {
+  for (const std::string& name : names.controls) {
+    const std::string table = settingsTableOf(names, name);
+    if (job.settings_by_table.contains(table)) continue;
+    auto parameters = control.table(table);
+    if (!parameters) continue;
+    ParameterReader(parameters->document(), names, name, job.settings_by_table[table])
+        .read(parameters->entries(), "");
+  }
+}
+
+/// A table under the name of the control, where its settings have a name of their own.
+void refuseNamesake(ConfigTable& control, const std::string& table, const std::string& name) {
+  if (table == name || control.find(name) == nullptr) return;
+  control.error(name, "job-unknown-key",
+                fmt::format("settings of control '{}' stand in [control.{}]", name, table));
 }
 
 void readLimits(ConfigTable& machine, Job& job) {
@@ -352,8 +388,11 @@ std::optional<AxisLimit> readLimit(ConfigTable& table, const std::string& name) 
 // TOML cannot hold `control = "nct"` and `[control.nct]` in one file, so a control with settings is named by
 // `[control] name = "nct"`.
 void readControl(ConfigTable& root, const JobNames& names, Job& job) {
-  const ConfigValue* value = root.require("control");
-  if (value == nullptr) return;
+  const ConfigValue* value = root.find("control");
+  if (value == nullptr) {
+    job.control = kAutoControl;
+    return;
+  }
   if (value->type != Type::kTable) {
     readControlName(root, "control", names, job);
     return;
@@ -361,12 +400,18 @@ void readControl(ConfigTable& root, const JobNames& names, Job& job) {
   auto control = root.table("control");
   readControlName(*control, "name", names, job);
   if (job.control.empty()) return;
-  if (auto parameters = control->table(job.control)) readParameters(*parameters, names, job);
+  if (job.control == kAutoControl) {
+    readSettingsOfAll(*control, names, job);
+  } else {
+    const std::string table = settingsTableOf(names, job.control);
+    if (auto parameters = control->table(table)) readParameters(*parameters, names, job);
+    refuseNamesake(*control, table, job.control);
+  }
   control->refuseOthers();
 }
 
 void readParameters(ConfigTable& table, const JobNames& names, Job& job) {
-  ParameterReader(table.document(), names, job).read(table.entries(), "");
+  ParameterReader(table.document(), names, job.control, job.settings.parameters).read(table.entries(), "");
 }
 
 void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics) {

@@ -66,6 +66,7 @@ SetupSpec readSetup(ConfigTable& table, bool first, const JobNames& names, const
   if (const auto start = table.point("start")) part.start = *start;
   SetupSpec spec;
   spec.control = std::move(part.control);
+  spec.settings_by_table = std::move(part.settings_by_table);
   spec.machine_file = std::move(part.machine_file);
   spec.tools = std::move(part.tools);
   spec.program = std::move(part.program);

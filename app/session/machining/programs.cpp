@@ -12,6 +12,7 @@
 #include "app/session/programs/interpretation.h"
 #include "app/session/programs/rotary_motions.h"
 #include "app/session/programs/wire_heights.h"
+#include "app/session/run/control_choice.h"
 #include "app/session/run/process.h"
 #include "app/session/run/stock_probe.h"
 #include "core/base/memory_limit.h"
@@ -66,6 +67,10 @@ SetupRun emptySetup(const Job& job, std::size_t k) {
 Status read(SetupRun& setup, const RecordingSource& source, const ControlSettings& settings,
             const ProbedStock* stock, Progress& progress) {
   setup.interpreted = interpretProgram(setup.job, source, settings, progress, stock);
+  if (setup.interpreted.summary.errors > 0) {
+    if (auto note = otherControlNote(setup.job, source))
+      setup.interpreted.path.diagnostics.add(std::move(*note));
+  }
   if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);
   if (const std::optional<Error> refused = memoryRefusal()) return *refused;
   if (const Status fits = memoryFor(0.0, "what the programs have made"); !fits) return fits.error();

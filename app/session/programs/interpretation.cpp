@@ -13,6 +13,7 @@
 #include "app/session/programs/origin_sink.h"
 #include "app/session/programs/placed_path.h"
 #include "app/session/programs/wire_heights.h"
+#include "app/session/run/control_choice.h"
 #include "app/session/run/job_defaults.h"
 #include "app/session/run/process.h"
 #include "app/session/run/stock_probe.h"
@@ -191,6 +192,7 @@ Interpreted interpretProgram(const Job& job, const RecordingSource& source, cons
                              Progress& progress, const ProbedStock* stock) {
   Interpreted result;
   GuardedBuilder builder(result.path, pathMemory(job), progress);
+  if (auto note = choiceNote(job)) result.path.diagnostics.add(std::move(*note));
   const Result<ControlId> control = findControl(job.control);
   const std::string refusal = !control ? control.error().message : toolRefusalOf(job);
   if (!refusal.empty()) {

@@ -19,6 +19,7 @@ JobNames jobNames() {
   for (const ControlInfo& control : controls()) {
     if (!control.built) continue;
     names.controls.emplace_back(control.name);
+    names.settings_tables[std::string(control.name)] = control.settings_table;
     auto& ranges = names.parameters[std::string(control.name)];
     for (const ParameterInfo& p : parameterTable(control.id)) {
       ranges.push_back({std::string(p.name), p.min, p.max, p.count});

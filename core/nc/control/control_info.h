@@ -20,6 +20,7 @@ struct ControlInfo {
   std::string_view summary;  ///< one line for people
   bool built;                ///< false: known, but this version cannot run it
   ProcessKind process = ProcessKind::kMilling;
+  std::string_view settings_table;  ///< `[control.NAME]` of a job: several controls may share one
 };
 /// All controls that the program knows by name.
 const std::vector<ControlInfo>& controls();

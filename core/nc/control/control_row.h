@@ -31,7 +31,8 @@ struct ControlRow {
   ProcessKind process = ProcessKind::kMilling;
   ManualRows manual = {};
 
-  bool axis_events = false;  ///< it has the events and drives of ControlSettings
+  std::string_view settings_table = {};  ///< `[control.NAME]` of a job; empty: the control's own name
+  bool axis_events = false;              ///< it has the events and drives of ControlSettings
 
   /// See interpret() and interpretChannels().
   InterpretSummary (*run)(const ProgramSource&, const ControlSettings&, MotionSink&, Progress*,

@@ -40,7 +40,8 @@ const std::vector<ControlInfo>& controls() {
   static const std::vector<ControlInfo> kControls = [] {
     std::vector<ControlInfo> all;
     for (const nc::ControlRow* row : nc::controlRows())
-      all.push_back({row->id, row->name, row->summary, row->run != nullptr, row->process});
+      all.push_back({row->id, row->name, row->summary, row->run != nullptr, row->process,
+                     row->settings_table.empty() ? row->name : row->settings_table});
     return all;
   }();
   return kControls;
