@@ -285,6 +285,62 @@ def gouged_plate():
     s.finish("gouged_plate/plate.stl", volume, 1.0)
 
 
+def fanuc_plate():
+    s = Solid()
+    stock, outline = rectangle(0, 0, 90, 70), rounded_rectangle(4, 4, 86, 66, 8)
+    pocket = rounded_rectangle(27, 23, 63, 47, 6)
+    corners = [(14, 14), (76, 14), (76, 56), (14, 56)]
+    bores, holes = [circle(x, y, 5) for x, y in corners], [circle(x, y, 3) for x, y in corners]
+    around = [(45 + 8 * math.cos(math.radians(90 + 72 * k)), 35 + 8 * math.sin(math.radians(90 + 72 * k))) for k in range(5)]
+    blind = [circle(x, y, 2) for x, y in around]
+    s.face(outline, [pocket] + bores, 0, True)
+    s.wall(outline, -9, 0, True)
+    s.face(stock, [outline], -9, True)
+    s.wall(stock, -18, -9, True)
+    s.face(stock, holes, -18, False)
+    s.wall(pocket, -6, 0, False)
+    s.face(pocket, blind, -6, True)
+    for bore, hole in zip(bores, holes):
+        s.wall(bore, -4, 0, False)
+        s.face(bore, [hole], -4, True)
+        s.wall(hole, -18, -4, False)
+    shoulder = -12 + tip_length(4)
+    for (x, y), loop in zip(around, blind):
+        s.wall(loop, shoulder, -6, False)
+        s.drill_point(loop, shoulder, (x, y, -12.0))
+    volume = 90 * 70 * 9 + 9 * rounded_area(82, 62, 8) - 6 * rounded_area(36, 24, 6)
+    volume -= 4 * math.pi * (25 * 4 + 9 * 14)
+    volume -= 5 * math.pi * 4 * (6 - tip_length(4) * 2 / 3)
+    s.finish("fanuc_plate/plate.stl", volume, 3.0)
+
+
+def linuxcnc_plate():
+    s = Solid()
+    stock, outline = rectangle(0, 0, 70, 50), rounded_rectangle(3, 3, 67, 47, 6)
+    large, small = circle(22, 25, 10), circle(48, 25, 8)
+    through = [circle(x, y, 2) for x, y in ((10, 10), (60, 10), (60, 40), (10, 40))]
+    around = [(22 + 6 * math.cos(math.radians(60 * k)), 25 + 6 * math.sin(math.radians(60 * k))) for k in range(6)]
+    blind = [circle(x, y, 2) for x, y in around]
+    s.face(outline, [large, small] + through, 0, True)
+    s.wall(outline, -5, 0, True)
+    s.face(stock, [outline], -5, True)
+    s.wall(stock, -12, -5, True)
+    s.face(stock, through, -12, False)
+    s.wall(large, -4, 0, False)
+    s.face(large, blind, -4, True)
+    s.wall(small, -3, 0, False)
+    s.face(small, [], -3, True)
+    for loop in through:
+        s.wall(loop, -12, 0, False)
+    shoulder = -8 + tip_length(4)
+    for (x, y), loop in zip(around, blind):
+        s.wall(loop, shoulder, -4, False)
+        s.drill_point(loop, shoulder, (x, y, -8.0))
+    volume = 70 * 50 * 7 + 5 * rounded_area(64, 44, 6) - math.pi * (100 * 4 + 64 * 3)
+    volume -= 4 * math.pi * 4 * 12 + 6 * math.pi * 4 * (4 - tip_length(4) * 2 / 3)
+    s.finish("linuxcnc_plate/plate.stl", volume, 3.0)
+
+
 def wire_punch():
     s = Solid()
     outline = rounded_rectangle(-10, -6, 10, 6, 2)
@@ -688,6 +744,8 @@ def patch_program():
 if __name__ == "__main__":
     bracket()
     gouged_plate()
+    fanuc_plate()
+    linuxcnc_plate()
     wire_punch()
     wire_die()
     wire_ruled()

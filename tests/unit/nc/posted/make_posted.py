@@ -1042,8 +1042,21 @@ g0 z5
 m5
 m2
 """)
-# G42.1 with d6: the path is 3 right of the outline; its parts are arcs about the corners. Only the end is told.
-p.truth.told = False
+# The path is 3 right of the outline, with arcs about its corners; the entry ends square to itself and rolls round its
+# corner (points by a run of rs274).
+t = p.truth
+t.rapid(-20.0, -20.0, 5.0)
+t.line(z=-3.0)
+t.line(1.3416, -12.6833)
+t.arc(False, 3.0, -10.0, -1.3416, 2.6833)
+t.line(y=-3.0)
+t.line(x=50.0)
+t.arc(False, 53.0, 0.0, 0.0, 3.0)
+t.line(y=30.0)
+t.arc(False, 50.0, 33.0, -3.0, 0.0)
+t.line(x=0.0)
+t.arc(False, -3.0, 30.0, 0.0, -3.0)
+t.line(y=0.0)
 p.end_z = 5.0
 
 # ---- GRBL -------------------------------------------------------------------------------------------------------------
