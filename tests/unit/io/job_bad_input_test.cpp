@@ -57,8 +57,11 @@ TEST(BadJob, Severities) {
   // Kinds that say that a result is missing can be made severer, and not milder.
   for (const char* line : {"alarm = 'warning'", "output = 'off'", "partial = 'note'", "undecided = 'off'",
                            "no_part = 'warning'", "not_compared = 'off'"})
-    EXPECT_THAT(refusedEnd(std::string("[severity]\n") + line), HasSubstr("would hide that a result is missing")) << line;
-  EXPECT_EQ(refusedEnd("[severity]\npartial = 'error'\nundecided = 'warning'\nthin_feature = 'off'"), "accepted");
+    EXPECT_THAT(refusedEnd(std::string("[severity]\n") + line),
+                HasSubstr("would hide that a result is missing"))
+        << line;
+  EXPECT_EQ(refusedEnd("[severity]\npartial = 'error'\nundecided = 'warning'\nthin_feature = 'off'"),
+            "accepted");
 }
 
 TEST(BadJob, UnknownKeysAtEveryLevel) {
@@ -91,9 +94,8 @@ TEST(BadJob, UnknownKeysAtEveryLevel) {
 }
 
 TEST(BadJob, MissingKeys) {
-  for (const char* line :
-       {"schema = \"proveout.job/1\"\n", "control = \"nct\"\n", "program = \"bracket.nc\"\n", "number = 1\n",
-        "type = \"flat\"\n", "min = [0, 0, -20]\n", "shape = \"box\"\n"}) {
+  for (const char* line : {"schema = \"proveout.job/1\"\n", "program = \"bracket.nc\"\n", "number = 1\n",
+                           "type = \"flat\"\n", "min = [0, 0, -20]\n", "shape = \"box\"\n"}) {
     const std::string key = std::string(line).substr(0, std::string(line).find(' '));
     EXPECT_THAT(refused(replacedOnce(kSmallJob, line, "")), HasSubstr("needs the key '" + key + "'"));
   }
@@ -312,8 +314,10 @@ TEST(BadJob, ControlTables) {
               HasSubstr("N1339 must be a number"));
   EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.flexnc]\nx = 1\n"),
               HasSubstr("[control] has no key 'flexnc'"));
-  EXPECT_THAT(folder.refusal(head + "[control.nct]\nN1339 = 1\n"),
-              HasSubstr("[control] needs the key 'name'"));
+  EXPECT_THAT(folder.refusal(head + "[control.nct]\nN1338 = 1\n"),
+              HasSubstr("control 'nct' has no parameter 'N1338'"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'auto'\n[control.fanuc]\nx = 1\n"),
+              HasSubstr("[control] has no key 'fanuc'"));
   EXPECT_THAT(folder.refusal(head + "[control]\nname = 'nct'\n[control.nct]\nN1.SEC = 1\n\"N1.SEC\" = 2\n"),
               HasSubstr("has no parameter"));
   folder.names.parameters.clear();

@@ -461,6 +461,42 @@ TEST(Job, ReadsControlParameters) {
                                                      std::pair<const std::string, double>("N1339", 0.01)));
 }
 
+TEST(Job, ControlsMayShareATableOfSettings) {
+  JobFolder folder;
+  folder.names.controls = {"nct", "fanuc-mill", "fanuc-lathe"};
+  folder.names.parameters["fanuc-lathe"] = {{"decimal", 0, 1, 0, {"calculator", "increment"}}};
+  folder.names.settings_tables = {{"fanuc-mill", "fanuc"}, {"fanuc-lathe", "fanuc"}};
+  const std::string head = replacedOnce(kSmallJob, "control = \"nct\"\n", "");
+  const auto job =
+      folder.load(head + "[control]\nname = 'fanuc-lathe'\n[control.fanuc]\ndecimal = 'increment'\n");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->settings.parameters.at("decimal"), 1);
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'fanuc-lathe'\n[control.fanuc]\ndecimals = 1\n"),
+              HasSubstr("control 'fanuc-lathe' has no parameter 'decimals'; did you mean 'decimal'?"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'fanuc-lathe'\n[control.fanuc]\ndecimal = 'x'\n"),
+              HasSubstr("decimal 'x' is not known; there are calculator, increment"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'fanuc-lathe'\n[control.fanuc]\ndecimal = 1\n"),
+              HasSubstr("decimal must be a text"));
+  EXPECT_THAT(folder.refusal(head + "[control]\nname = 'fanuc-lathe'\n[control.fanuc-lathe]\ndecimal = 1\n"),
+              HasSubstr("settings of control 'fanuc-lathe' stand in [control.fanuc]"));
+}
+
+TEST(Job, MayLeaveTheControlToTheProgram) {
+  JobFolder folder;
+  folder.names.parameters["nct"] = {{"N1339", 0, 10}};
+  const std::string head = replacedOnce(kSmallJob, "control = \"nct\"\n", "");
+  for (const char* control : {"", "[control]\nname = 'auto'\n", "[control.nct]\nN1339 = 1\n"}) {
+    const auto job = folder.load(head + control);
+    ASSERT_TRUE(job) << folder.text();
+    EXPECT_EQ(job->control, kAutoControl);
+    EXPECT_TRUE(job->settings.parameters.empty());
+  }
+  const auto job =
+      folder.load(head + "[control]\nname = 'auto'\n[control.nct]\nN1339 = 1\n[control.flexnc]\n");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_EQ(job->settings_by_table.at("nct").at("N1339"), 1);
+}
+
 TEST(Job, ReadsAMachineFileAndChangesIt) {
   JobFolder folder;
   folder.write("machines/vmc.toml",
