@@ -173,6 +173,8 @@ TEST_P(PassingParts, PassAgainstTheirNominals) {
 INSTANTIATE_TEST_SUITE_P(Programs, PassingParts,
                          testing::Values(PassingPart{"bracket", 69333.394}, PassingPart{"two_sides", 39540.0},
                                          PassingPart{"macro_plate", 141832.212},
+                                         PassingPart{"fanuc_plate", 93796.320},
+                                         PassingPart{"linuxcnc_plate", 35721.290},
                                          PassingPart{"polar_boss", 91385.824},
                                          PassingPart{"wl4_plate", 23827.168}),
                          [](const auto& test) { return std::string(test.param.name); });

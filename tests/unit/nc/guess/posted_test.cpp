@@ -76,8 +76,8 @@ TEST_P(Posted, CutsWhatItsFigureSays) {
           << "max of axis " << k;
     }
   }
-  if (program.length) EXPECT_NEAR(cut.length, *program.length, 1e-4 * *program.length + 0.02);
-  if (program.end_z) EXPECT_NEAR(run.end().z(), *program.end_z, 1e-3);
+  EXPECT_NEAR(cut.length, program.length.value_or(cut.length), 1e-4 * cut.length + 0.02);
+  EXPECT_NEAR(run.end().z(), program.end_z.value_or(run.end().z()), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Programs, Posted, testing::ValuesIn(postedPrograms()), [](const auto& test) {
