@@ -25,7 +25,8 @@ constexpr int kFlavourLead = 2;
 /// Codes that a control does not have, and codes that only few have.
 constexpr int kMissingCode = 4, kMostMissing = 12, kOwnCode = 3, kMostOwn = 6;
 constexpr std::size_t kReasons = 3;
-constexpr int kFewWords = 20;  ///< words of 3-D printers in a program that is none may be so many
+/// Words of 3-D printers that are no accident: so many, in one block of so many.
+constexpr int kPrinterWords = 4, kPrinterShare = 5;
 
 std::vector<std::string_view> linesOf(std::string_view text) {
   std::vector<std::string_view> lines;
@@ -223,7 +224,8 @@ GuessedControl guessControl(std::string_view file_name, std::string_view text) {
   const std::vector<std::string_view> lines = nc::guess::linesOf(text);
   result.foreign = nc::foreignLanguage(lines);
   const nc::guess::ProgramSigns signs = nc::guess::readSigns(lines);
-  if (result.foreign.empty() && signs.printer.count > nc::guess::kFewWords)
+  if (result.foreign.empty() && signs.printer.count >= nc::guess::kPrinterWords &&
+      signs.printer.count * nc::guess::kPrinterShare >= signs.blocks)
     result.foreign = fmt::format("a program of a 3-D printer (such as {}, line {})", signs.printer.text,
                                  signs.printer.line);
   if (!result.foreign.empty()) return result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <utility>
 
 #include "core/nc/guess/sign_line.h"
 
@@ -13,10 +14,10 @@ constexpr std::size_t kMostLines = 100'000;
 constexpr std::size_t kMostText = 40;  // characters of a block in a reason
 
 constexpr std::string_view kNames[] = {
-    "HAAS",      "FANUC",    "LINUXCNC", "EMC2",    "GRBL",    "MACH3",      "MACH 3",   "MACH2",
-    "UCCNC",     "ESTLCAM",  "SHAPEOKO", "CARBIDE", "EASEL",   "OPENBUILDS", "CNCJS",    "TORMACH",
-    "PATHPILOT", "WL4",      "FLEXNC",   "FLEX NC", "NCT",     "LATHE",      "WIRE EDM", "MASTERCAM",
-    "MCX FILE",  "SOLIDCAM", "VCARVE",   "CUT2D",   "VECTRIC", "BLENDERCAM"};
+    "HAAS",      "FANUC",    "LINUXCNC", "EMC2",    "GRBL",     "MACH3",      "MACH 3",    "MACH2",
+    "UCCNC",     "ESTLCAM",  "SHAPEOKO", "CARBIDE", "EASEL",    "OPENBUILDS", "CNCJS",     "TORMACH",
+    "PATHPILOT", "WL4",      "FLEXNC",   "FLEX NC", "NCT",      "LATHE",      "WIRE EDM",  "MASTERCAM",
+    "MCX FILE",  "SOLIDCAM", "VCARVE",   "CUT2D",   "SHEETCAM", "VECTRIC",    "BLENDERCAM"};
 
 bool isDigitOf(char c) { return c >= '0' && c <= '9'; }
 bool isAlnumOf(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
@@ -52,7 +53,6 @@ class SignReader {
         percent();
       else
         block(SignLine(text_));
-      first_ = false;
     }
     conclude();
     return std::move(out_);
@@ -66,12 +66,13 @@ class SignReader {
 
   void percent() {
     const std::string_view behind = trimmed(text_.substr(1));
+    const bool first = std::exchange(first_, false);
     if (behind.empty()) return see(Sign::kPercent);
     const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(behind.front())));
     if ((c == 'O' || c == ':') && behind.size() > 1 && isDigitOf(behind[1])) {
       see(Sign::kPercentNumber);
       ++numbers_;
-    } else if (first_ && (isAlnumOf(c) || c == '_')) {
+    } else if (first && (isAlnumOf(c) || c == '_')) {
       see(Sign::kPercentName);
     }
   }
@@ -80,6 +81,9 @@ class SignReader {
     see(Sign::kSemicolonComment, line.semicolon_comment);
     see(Sign::kDollarComment, line.dollar_comment);
     see(Sign::kSlashComment, line.slash_comment);
+    for (const std::string_view active : {"AXIS,", "DEBUG,", "PRINT,", "LOGOPEN,", "LOG,", "PROBEOPEN"})
+      see(Sign::kActiveComment, line.comment.starts_with(active));
+    see(Sign::kMessage, line.comment.starts_with("MSG,"));
     for (const std::string_view name : kNames) {
       if (standsIn(line.comment, name)) out_.names[std::string(name)].add(line_, text_);
     }
@@ -90,6 +94,7 @@ class SignReader {
     if (line.code.empty()) return;
     if (line.code.front() == '$' || line.code == "~" || line.code == "?" || line.code == "!")
       return see(Sign::kSenderCommand);
+    first_ = false;
     ++out_.blocks;
     lower_ += line.lower;
     upper_ += line.upper;
@@ -320,7 +325,7 @@ class SignReader {
       }
       return false;
     });
-    return simple && out_.motions >= 8 && out_.of(Sign::kY).count > 0;
+    return simple && out_.motions >= 6 && out_.of(Sign::kY).count > 0;
   }
 
   ProgramSigns out_;

@@ -27,6 +27,8 @@ enum class Sign {
   kDollarComment,     ///< "$ text"
   kSlashComment,      ///< "// text"
   kSenderCommand,     ///< "$H", "$J=", "~"
+  kActiveComment,     ///< "(debug, x)"
+  kMessage,           ///< "(msg, x)"
   kLowerCase,         ///< words in lower case, most of all
   kPointAtEnd,        ///< coordinates like "X10.", no whole ones without it
   kWholeNumbers,      ///< coordinates like "X10"

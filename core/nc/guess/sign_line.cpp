@@ -32,6 +32,17 @@ bool beginsBlock(std::string_view rest) {
          (isDigitChar(rest[1]) || std::string_view("+-.#[").find(rest[1]) != std::string_view::npos);
 }
 
+/// What GRBL's senders write behind '$': "H", "J=..", "110=2000", "$".
+bool isSenderWord(std::string_view rest) {
+  while (!rest.empty() && isBlankChar(rest.back())) rest.remove_suffix(1);
+  if (rest.empty()) return false;
+  if (rest.starts_with("J=") || rest.starts_with("RST=") || rest == "SLP") return true;
+  if (rest.size() == 1)
+    return std::string_view("HXGINC$#").find(upperChar(rest[0])) != std::string_view::npos;
+  const std::size_t digits = rest.find_first_not_of("0123456789");
+  return digits != 0 && (digits == std::string_view::npos || rest[digits] == '=');
+}
+
 std::size_t closingOf(std::string_view line, std::size_t at) {
   int depth = 0;
   for (std::size_t i = at; i < line.size(); ++i) {
@@ -98,7 +109,7 @@ void SignLine::split(std::string_view line) {
         return;
       }
       semicolon_end = semicolon_end || !text_behind;
-    } else if (c == '$' && (rest.empty() || isBlankChar(rest.front()))) {
+    } else if (c == '$' && !(code.empty() && isSenderWord(rest))) {
       dollar_comment = true;
       addComment(rest);
       return;

@@ -37,6 +37,22 @@ TEST(ControlGuess, NamesWhatShowsItself) {
        "wl4-lathe"},
       {"// Shaft\nT1M06D11\nS900M03\nG00X(26/2)Z4\nP1100=20\nG77X20A17Y1.5Z0P2C2B2V0\nM02\n", "flexnc"},
       {"H001=110;\nT84 T86;\nC001;\nG92 X0 Y0;\nG42 H001 G01 X-10.;\nM02;\n", "wedm"},
+      {"%\nO8801 (PROG)\nN1 G00 G17 G21 G40 G49 G80 G90\nN2 T12 M06\nN3 G00 G90 G54 X25.4 Y-12.7 S4500 "
+       "M03\nN4 G43 H12 "
+       "Z25. M08\nN5 G81 G98 Z-3.2 R2. F220.\nN6 X50.\nN7 G80\nN9 G91 G28 Z0. M05\nN11 M30\n%\n",
+       "fanuc-mill"},
+      {"O1000\nN010 G40 G18 G80\nN020 G50 S2500\nN030 T0202 M42\nN040 G96 S180 M03\nN050 G00 X60. Z5. "
+       "M08\nN090 G71 "
+       "U1.5 R0.5\nN100 G71 P110 Q150 U0.3 W0.1 F0.2\nN110 G42 G00 X20.\nN120 G01 Z-15. F0.1\nN150 G40 "
+       "X60.\nM30\n",
+       "fanuc-lathe"},
+      {":1234\nG0 G90 G80 G40 G17\nT3 M6\nG0 G54 X1. Y1. S3000 M3\nG43 Z1. H3\nG83 X1. Y1. Z-1. R.1 Q.1 "
+       "F5.\nX2.\nG80\n"
+       "G91 G28 Z0\nM30\n",
+       "fanuc-mill"},
+      {"(File created by SheetCam for Mach3)\nG21 G40 G90\nM06 T1\nG00 Z10.0000\nX10.0000 Y20.0000\nG01 "
+       "Z-3.0 F100.0\nM30\n",
+       "linuxcnc (flavour mach3)"},
       {"%\nO1\n(N1416.TOL=1)\nG0 XI10\nG2 X5 I5 L3\nG0 X0\n#1=FUP[2.1]\nG65 P9999 X20\nM30\n", "nct"},
   };
   for (const auto& [text, control] : kPrograms) {
