@@ -96,9 +96,10 @@ void addPlacement(CLI::App& app, NominalOptions& options) {
 
 void addProgramOptions(CLI::App& app, ProgramOptions& options) {
   app.add_option("INPUT", options.input, "Job file (*.toml) or NC program")->required()->check(notEmpty());
-  app.add_option("--control", options.control,
-                 "Virtual control, with a program; `proveout coverage` lists them;\ndefault: auto, the one that the "
-                 "program looks like")
+  app.add_option(
+         "--control", options.control,
+         "Virtual control, with a program; `proveout coverage` lists them;\ndefault: auto, the one that the "
+         "program looks like")
       ->type_name("NAME");
   app.add_option("--subprograms", options.subprograms,
                  "File or folder with subprograms, with a program; repeatable")
@@ -323,6 +324,7 @@ void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptio
   app = root.add_subcommand("coverage", "What each control supports, from the tables that execute");
   app->add_option("--control", coverage.control, "This control only; default: all that are built")
       ->type_name("NAME");
+  app->add_flag("--settings", coverage.settings, "Also what [control.NAME] of a job may set");
   app->add_flag("--json", coverage.json, "As JSON");
   app->footer(kFooter);
 }

@@ -103,6 +103,7 @@ struct RenderCommandOptions {
 
 struct CoverageOptions {
   std::optional<std::string> control;
+  bool settings = false;  ///< what jobs may set, too
   bool json = false;
 };
 

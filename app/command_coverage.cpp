@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <utility>
 
 #include "app/commands.h"
@@ -23,6 +24,41 @@ void printTable(Console& console, const ControlInfo& control, const std::vector<
     console.out << fmt::format("{:<10} {:>5}  {:<6}  {:<9}  {}{}\n", row.code, group, row.cls, row.status,
                                row.meaning, ids);
   }
+}
+
+/// The word of a choice, else the number.
+std::string defaultText(const ParameterInfo& parameter) {
+  if (parameter.choices.empty()) return fmt::format("{:g}", parameter.default_value);
+  std::istringstream words{std::string(parameter.choices)};
+  std::string word;
+  for (int k = 0; k <= static_cast<int>(parameter.default_value); ++k) words >> word;
+  return "\"" + word + "\"";
+}
+
+std::string valuesText(const ParameterInfo& parameter) {
+  if (!parameter.choices.empty()) return std::string(parameter.choices);
+  return fmt::format("{:g} to {:g}", parameter.min, parameter.max);
+}
+
+/// What `[control.NAME]` of a job may set.
+void printSettings(Console& console, const ControlInfo& control) {
+  console.out << fmt::format("\nsettings, [control.{}] of a job\n{:<24} {:<14} {:<24}  {}\n",
+                             control.settings_table, "name", "default", "values", "meaning");
+  for (const ParameterInfo& p : parameterTable(control.id)) {
+    const std::string name = p.count > 0 ? fmt::format("{}.1 to .{}", p.name, p.count) : std::string(p.name);
+    console.out << fmt::format("{:<24} {:<14} {:<24}  {}\n", name, defaultText(p), valuesText(p), p.meaning);
+  }
+}
+
+nlohmann::ordered_json settingsJson(const ControlInfo& control) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ParameterInfo& p : parameterTable(control.id)) {
+    nlohmann::ordered_json one = {{"name", p.name}, {"default", p.default_value}, {"min", p.min},
+                                  {"max", p.max},   {"count", p.count},           {"meaning", p.meaning}};
+    if (!p.choices.empty()) one["choices"] = p.choices;
+    list.push_back(std::move(one));
+  }
+  return {{"table", control.settings_table}, {"list", std::move(list)}};
 }
 
 using Rows = std::vector<SpecificationRow>;
@@ -152,6 +188,7 @@ int coverageCommand(const CoverageOptions& options, Console& console, ConsolePro
     }
     if (options.json) {
       list.push_back(toJson(control, codes, rows));
+      if (options.settings) list.back()["settings"] = settingsJson(control);
       continue;
     }
     if (control.built) {
@@ -159,6 +196,7 @@ int coverageCommand(const CoverageOptions& options, Console& console, ConsolePro
     } else {
       console.out << fmt::format("{}: {} (not in this version)\n", control.name, control.summary);
     }
+    if (options.settings) printSettings(console, control);
     if (!rows.empty()) printRows(console, rows);
   }
   if (options.json) {
