@@ -282,7 +282,7 @@ class SignReader {
     see(Sign::kSurfaceSpeed, line.hasCode('G', 960));
     see(Sign::kPathTolerance, line.hasCode('G', 640) && line.has('P'));
     see(Sign::kArcMode, hasOneOf('G', {901, 911}));
-    see(Sign::kGroupShiftG, line.contains("G17G91.1") || line.contains("G94G91.1G40"));
+    see(Sign::kMachHead, line.contains("G94G91.1G40"));
     see(Sign::kOutputs, hasOneOf('M', {620, 630, 640, 650, 660, 670, 680}) &&
                             (line.has('P') || line.has('E') || line.has('Q')));
     see(Sign::kCompensation, hasOneOf('G', {410, 420}));

@@ -89,7 +89,7 @@ enum class Sign {
   kCompensation,       ///< G41, G42
   kTurnsL,             ///< "G2 ... L3"
   kCornerWords,        ///< ",R5" ",C2"
-  kGroupShiftG,        ///< "G90 G94 G17 G91.1", "G90 G94 G91.1 G40"
+  kMachHead,           ///< "G90 G94 G91.1 G40 G49 G17"
   kNoHead,             ///< neither '%' nor a program number
   kRouter,             ///< nothing but lines, arcs, spindle and end
   kChipConveyor,       ///< M31, M33

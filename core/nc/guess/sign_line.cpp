@@ -8,6 +8,9 @@
 namespace proveout::nc::guess {
 namespace {
 
+// Of a line: what is longer is no block that a post wrote.
+constexpr std::size_t kMostCharacters = 2000, kMostWords = 60;
+
 bool isDigitChar(char c) { return c >= '0' && c <= '9'; }
 bool isLetterChar(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool isBlankChar(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\x1a'; }
@@ -78,7 +81,7 @@ int codeTenths(const SignWord& word) {
 }
 
 SignLine::SignLine(std::string_view line) {
-  split(line);
+  split(line.substr(0, kMostCharacters));
   readWords();
 }
 
@@ -127,7 +130,7 @@ void SignLine::split(std::string_view line) {
 void SignLine::readWords() {
   const std::string_view text = code;
   bool comma = false;
-  for (std::size_t i = 0; i < text.size();) {
+  for (std::size_t i = 0; i < text.size() && words.size() < kMostWords;) {
     const char c = text[i];
     if (c == '#' || c == '[' || c == '<') break;  // an assignment, or a name
     if (!isLetterChar(c)) {

@@ -98,6 +98,7 @@ constexpr SignRow kSigns[] = {
     {Sign::kPathTolerance, "a tolerance of the path, G64 P", kLinuxCnc, 5, allBut(kLinuxCnc), 3},
     {Sign::kArcMode, "G90.1, G91.1", kLinuxCnc | kMach3, 3, kFanuc | kNct | kWl4 | kFlexNc | kWedm, 4},
     {Sign::kArcMode, "G90.1, G91.1", kGrbl, 1, 0, 0},
+    {Sign::kMachHead, "the head of posts for Mach3", kMach3, 2, 0, 0},
     {Sign::kOutputs, "outputs and inputs, M62 to M68", kLinuxCnc, 4, kGrbl, 4},
     {Sign::kDrillCycle, "drilling cycles", 0, 0, kGrbl | kWedm, 6},
     {Sign::kCompensation, "cutter compensation", 0, 0, kGrbl, 6},

@@ -64,8 +64,9 @@ TEST(ControlGuess, OfTheSamplePartsIsNeverWrong) {
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(PROVEOUT_SOURCE_DIR) / "parts")) {
     if (entry.path().extension() != ".toml") continue;
     const std::string job = textOfFile(entry.path());
-    const std::string program = wordBehind(job, "program"), whole = wordBehind(job, "control"),
-                      control = whole.empty() ? wordBehind(job, "name") : whole;
+    const std::string program = wordBehind(job, "program"), whole = wordBehind(job, "control =");
+    const std::size_t table = std::min(job.find("[control]\n"), job.size());
+    const std::string control = whole.empty() ? wordBehind(job.substr(table), "name") : whole;
     const fs::path file = entry.path().parent_path() / program;
     if (program.empty() || !fs::exists(file) || control == "auto") continue;
     Counts& counts = all[control];
@@ -75,7 +76,9 @@ TEST(ControlGuess, OfTheSamplePartsIsNeverWrong) {
   print("parts", all);
   EXPECT_GE(all["wedm"].right, 4);
   EXPECT_GE(all["flexnc"].right, 3);
-  EXPECT_GE(all["wl4-lathe"].right, 1);
+  EXPECT_GE(all["wl4-lathe"].right, 2);
+  EXPECT_GE(all["fanuc-mill"].right, 1);
+  EXPECT_GE(all["linuxcnc"].right, 1);
 }
 
 /// Most of these are a few blocks that any control reads: the more are refused, the better.
