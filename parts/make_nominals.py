@@ -630,6 +630,18 @@ def wl4_shaft():
     finish_threaded(sections, angles, "wl4_shaft/shaft.stl")
 
 
+def fanuc_shaft():
+    """Chamfer 1, cylinder 20, radius 2, cone of 45 degrees to cylinder 30, radius 3, collar 40; the bar behind it."""
+    q = math.pi / 2
+    t = 2 * math.tan(math.radians(22.5))  # of the radius of 2 from its corner
+    points = [(0.0, 0.0), (9.0, 0.0), (10.0, -1.0)]
+    points += sphere_arc(12.0, -20.0 + t, 2.0, math.pi, q / 2, 16)
+    points += [(15.0, -25.0)] + sphere_arc(18.0, -37.0, 3.0, math.pi, q, 24)
+    points += [(20.0, -40.0), (20.0, -62.0), (22.0, -62.0), (22.0, -90.0), (0.0, -90.0)]
+    angles = [2 * math.pi * k / 192 for k in range(192)]
+    finish_threaded([rest_of(points) for _ in angles], angles, "fanuc_shaft/shaft.stl")
+
+
 def flexnc_shaft():
     """Chamfer, cylinder 20 with M20 x 1.5 up to a groove, root radius 3 and cone of 30 degrees, cylinder, radii 2 and 3."""
     q, thirty = math.pi / 2, math.radians(30)
@@ -754,6 +766,7 @@ if __name__ == "__main__":
     macro_plate()
     polar_boss()
     wl4_shaft()
+    fanuc_shaft()
     flexnc_shaft()
     flexnc_bore()
     patch_mesh()

@@ -28,6 +28,7 @@ const AlarmTable& fanucAlarms() {
           {SharedAlarm::kCornerTooLarge, 55, {}, "missing move value in chamfer or corner: it does not fit"},
           {SharedAlarm::kNothingBehind, 51, {}, "missing move behind chamfer or corner"},
           {SharedAlarm::kChamferAndRounding, 53, {}, "too many addresses: chamfer and corner in one block"},
+          {SharedAlarm::kContour, 57, {}, "no solution of block end: {}"},
           {SharedAlarm::kProgramNotFound, 76, {}, "program not found"},
           {SharedAlarm::kFileNotFound, 76, {}, "program not found"},
           {SharedAlarm::kBlockNotFound, 78, {}, "number not found: {}"},

@@ -1,10 +1,14 @@
 #include "core/nc/fanuc/dialect.h"
 
+#include <algorithm>
+#include <array>
+
 #include "core/nc/fanuc/alarms.h"
 #include "core/nc/fanuc/block/plan.h"
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
 #include "core/nc/fanuc/haas/haas.h"
+#include "core/nc/fanuc/lathe/lathe_hooks.h"
 #include "core/nc/fanuc/macro/macro_rules.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
@@ -70,6 +74,20 @@ IsoDialect haasOf(IsoDialect dialect) {
   return dialect;
 }
 
+IsoDialect latheDialect(GCodeSystem system, bool haas) {
+  IsoDialect d = dialectOf("fanuc-lathe", fanucLatheCodes(system, haas));
+  d.lexing.unsigned_addresses = "ONGFTDLMSP";  // H is a step of C
+  d.rules.offsets_by_tool = true;
+  d.rules.set_position_steps = true;
+  d.rules.directions_meet = true;
+  d.maker_data = makeLatheData;
+  d.plan = planLatheBlock;
+  d.power_on = latheAtPowerOn;
+  d.tool = planLatheTool;
+  d.lines_done = endLatheLines;
+  return haas ? haasOf(d) : d;
+}
+
 bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
   const auto given = settings.find(std::string(fanucParameters().row(p).name));
   return given != settings.end() && given->second != 0.0;
@@ -90,10 +108,20 @@ const CodeIndex& haasMillCodes() {
   return kIndex;
 }
 
-const CodeIndex& fanucLatheCodes() {
-  static const CodeIndex kIndex(
-      {fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(), fanucMacroTable()});
-  return kIndex;
+const CodeIndex& fanucLatheCodes(GCodeSystem system, bool haas) {
+  const auto make = [](GCodeSystem of, bool of_haas) {
+    std::vector<CodeTable> own{fanucLatheTable(), fanucLatheSystemTable(of)};
+    if (of_haas) own.push_back(haasLatheTable());
+    return CodeIndex(
+        {fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(), fanucMacroTable()},
+        std::move(own), notInSystem(of));
+  };
+  static const std::array<std::array<CodeIndex, 2>, 3> kCodes = {{
+      {make(GCodeSystem::kA, false), make(GCodeSystem::kA, true)},
+      {make(GCodeSystem::kB, false), make(GCodeSystem::kB, true)},
+      {make(GCodeSystem::kC, false), make(GCodeSystem::kC, true)},
+  }};
+  return kCodes[static_cast<std::size_t>(system)][haas ? 1 : 0];
 }
 
 const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings) {
@@ -103,8 +131,15 @@ const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings
 }
 
 const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& settings) {
-  static const IsoDialect kLathe = dialectOf("fanuc-lathe", fanucLatheCodes());
-  return macroVariant(kLathe, settings);
+  const auto make = [](GCodeSystem system) {
+    return std::array<IsoDialect, 2>{latheDialect(system, false), latheDialect(system, true)};
+  };
+  static const std::array<std::array<IsoDialect, 2>, 3> kDialects = {
+      make(GCodeSystem::kA), make(GCodeSystem::kB), make(GCodeSystem::kC)};
+  const auto given = settings.find(std::string(fanucParameters().row(FanucParam::kGcodeSystem).name));
+  const double system = given == settings.end() ? 0.0 : std::clamp(given->second, 0.0, 2.0);
+  const std::size_t flavour = chosen(settings, FanucParam::kFlavour) ? 1 : 0;
+  return macroVariant(kDialects[static_cast<std::size_t>(system)][flavour], settings);
 }
 
 }  // namespace proveout::nc

@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 
+#include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/model/dialect.h"
 
 namespace proveout::nc {
@@ -11,7 +12,7 @@ namespace proveout::nc {
 /// Codes of mills and of lathes; made once.
 const CodeIndex& fanucMillCodes();
 const CodeIndex& haasMillCodes();
-const CodeIndex& fanucLatheCodes();
+const CodeIndex& fanucLatheCodes(GCodeSystem system = GCodeSystem::kA, bool haas = false);
 
 /// The control as the settings of the job (ControlSettings::parameters) have it at power-on. It lives as long
 /// as the process.

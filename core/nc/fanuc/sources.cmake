@@ -24,6 +24,21 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/haas/haas_patterns.cpp
   nc/fanuc/haas/haas_pockets.cpp
   nc/fanuc/haas/outline_reader.cpp
+  nc/fanuc/lathe/contour_blocks.cpp
+  nc/fanuc/lathe/lathe_data_input.cpp
+  nc/fanuc/lathe/lathe_drilling.cpp
+  nc/fanuc/lathe/lathe_hooks.cpp
+  nc/fanuc/lathe/lathe_moves.cpp
+  nc/fanuc/lathe/lathe_words.cpp
+  nc/fanuc/lathe/pattern.cpp
+  nc/fanuc/lathe/pecking.cpp
+  nc/fanuc/lathe/roughing.cpp
+  nc/fanuc/lathe/roughing_passes.cpp
+  nc/fanuc/lathe/run_out.cpp
+  nc/fanuc/lathe/single_cycles.cpp
+  nc/fanuc/lathe/thread_cycle.cpp
+  nc/fanuc/lathe/thread_depths.cpp
+  nc/fanuc/lathe/threads.cpp
   nc/fanuc/motion/accepted.cpp
   nc/fanuc/motion/arcs.cpp
   nc/fanuc/motion/curves.cpp
@@ -31,10 +46,12 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/motion/reference.cpp
   nc/fanuc/motion/virtual_planes.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
+  nc/fanuc/parameters/lathe_rows.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp
   nc/fanuc/tables/frames.cpp
   nc/fanuc/tables/haas.cpp
+  nc/fanuc/tables/lathe.cpp
   nc/fanuc/tables/macro.cpp
   nc/fanuc/tables/motion.cpp
   nc/fanuc/tables/transforms.cpp

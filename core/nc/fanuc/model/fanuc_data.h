@@ -27,7 +27,7 @@ struct CurveInput {
   bool open() const { return order > 0 || arc; }
 };
 
-struct FanucData final : MakerData {
+struct FanucData : MakerData {
   bool via_known = false;
   AxisPoint via;      ///< intermediate point of the last G28 or G30, machine coordinates
   AxisSet no_length;  ///< axes whose length offset G28, G30 or G53 has ended (section 5)

@@ -52,6 +52,7 @@ const ParameterTable& fanucParameters() {
         .add(FanucParam::kLocalShift, choice("setting_33", kNoNumber, 0, "fanuc yasnac",
                                              "Haas: G52 shifts every work system, or is one of its own"));
     addMacroRows(table);
+    addLatheRows(table);
     return table;
   }();
   return kTable;

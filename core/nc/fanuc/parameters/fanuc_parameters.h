@@ -26,6 +26,30 @@ enum class FanucParam : std::uint16_t {
   kPark,              ///< of axes: machine coordinate, mm or deg
   kKeepG52,
   kKeepG92,  ///< 1: the shift of G52, G92 stays at the end of a program
+  // Lathes, parameters/lathe_rows.cpp.
+  kGcodeSystem,  ///< 3401#6,7: 0 A, 1 B, 2 C
+  kLatheT,       ///< 0 four digits, 1 two
+  kGeometryBy,   ///< 5002#1 LGN: 0 by the number of the offset, 1 by that of the tool
+  kOffsetX,      ///< by offset number, 1 to 32, like those that follow
+  kOffsetZ,
+  kWearX,
+  kWearZ,
+  kNoseRadius,
+  kTip,
+  kG71Depth,
+  kG71Escape,
+  kG71Levels,
+  kG73X,
+  kG73Z,
+  kG73Passes,
+  kG74Return,
+  kThreadChamfer,
+  kThreadChamferAngle,
+  kG76Min,
+  kG76Finish,
+  kG76Repeat,
+  kG76Angle,
+  kPeckToR,  ///< 5101#2 RTR
   kCount
 };
 inline constexpr double kHaasFlavour = 1.0;  ///< FanucParam::kFlavour
@@ -34,5 +58,7 @@ constexpr ParamId paramId(FanucParam p) { return {ParamChapter::kOwn, static_cas
 const ParameterTable& fanucParameters();
 /// Adds the rows of calls and of the macro language.
 void addMacroRows(ParameterTable& table);
+/// Adds the rows of lathes.
+void addLatheRows(ParameterTable& table);
 
 }  // namespace proveout::nc

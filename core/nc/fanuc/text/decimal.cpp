@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
+#include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/setting_notes.h"
@@ -28,6 +29,11 @@ struct NumberRules {
   bool haas = false, lathe = false, increments = false;
 };
 
+/// F of the code is a lead.
+bool countsLead(std::int32_t code10) {
+  return code10 == gcode::kThread || code10 == lathe_code::kThreading || code10 == lathe_code::kVaryingThread;
+}
+
 void takeCode(NumberRules& rules, const GCode& code, int number10) {
   switch (code.group) {
     case kGroupUnits:
@@ -38,7 +44,7 @@ void takeCode(NumberRules& rules, const GCode& code, int number10) {
       rules.inverse = code.code10 == gcode::kInverseTime;
       break;
     case kGroupMotion:
-      rules.thread = code.code10 == gcode::kThread;
+      rules.thread = countsLead(code.code10);
       rules.nurbs = code.code10 == 62;
       rules.cycle = false;
       break;
@@ -64,7 +70,7 @@ NumberRules rulesOf(const IsoContext& c) {
   rules.inch = c.state.active[kGroupUnits] == gcode::kInch;
   rules.per_turn = c.state.perTurn();
   rules.inverse = c.state.active[kGroupFeedMode] == gcode::kInverseTime;
-  rules.thread = c.state.active[kGroupMotion] == gcode::kThread && !c.state.inCycle();
+  rules.thread = countsLead(c.state.active[kGroupMotion]) && !c.state.inCycle();
   rules.nurbs = c.state.active[kGroupMotion] == 62;
   rules.cycle = c.state.inCycle();
   rules.haas = isHaas(c);

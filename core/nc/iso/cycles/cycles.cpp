@@ -9,6 +9,7 @@
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/cycles/cycle_rules.h"
+#include "core/nc/iso/cycles/holes.h"
 #include "core/nc/iso/cycles/taps.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
@@ -80,7 +81,7 @@ AddressSet wordsOf(const IsoContext& c, const BlockPlan& plan, DrillCode code);
 bool planCycleVectors(IsoContext& c, BlockPlan& plan, DrillCode code, const CycleRules& rules);
 bool checkCycle(IsoContext& c, const BlockPlan& plan, DrillCode code);
 bool expandCycle(IsoContext& c, BlockPlan& plan, const CycleRules& rules);
-bool performCycle(IsoContext& c, BlockPlan& plan);
+bool drillHoles(IsoContext& c, BlockPlan& plan);
 bool cycleHole(IsoContext& c, BlockPlan& plan, const AxisPoint& hole, bool first);
 bool cycleStep(IsoContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint& at);
 bool cycleFunction(IsoContext& c, BlockPlan& plan, const DrillStep& step);
@@ -264,7 +265,7 @@ bool planCycleWords(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
   if (!(rules.check != nullptr ? rules.check(c, plan, code) : checkCycle(c, plan, code))) return false;
   c.asked = wordsOf(c, plan, code) | rules.repeats | rules.more_words;
   if (holes.repeat == 0) return true;
-  plan.perform = performCycle;
+  plan.perform = performHoles;
   plan.runs_functions = !rules.functions_first;
   return feedStyle(c, plan, plan.motion.feed) && expandCycle(c, plan, rules);
 }
@@ -419,7 +420,7 @@ bool performPoints(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
-bool performCycle(IsoContext& c, BlockPlan& plan) {
+bool drillHoles(IsoContext& c, BlockPlan& plan) {
   AxisPoint hole = c.position;
   const Holes& holes = std::get<Holes>(plan.payload);
   if (holes.listed) return performPoints(c, plan);
@@ -534,5 +535,7 @@ bool cycleFunction(IsoContext& c, BlockPlan& plan, const DrillStep& step) {
 }
 
 }  // namespace
+
+bool performHoles(IsoContext& c, BlockPlan& plan) { return drillHoles(c, plan); }
 
 }  // namespace proveout::nc

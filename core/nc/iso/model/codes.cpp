@@ -23,8 +23,8 @@ std::string_view codeClassName(CodeClass cls) {
   return "REJECT";
 }
 
-CodeIndex::CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> instead)
-    : tables_(std::move(tables)) {
+CodeIndex::CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> instead,
+                     std::span<const std::int32_t> without) {
   const auto replaced = [&](const auto& row, auto CodeTable::*rows, auto number) {
     return std::any_of(instead.begin(), instead.end(), [&](const CodeTable& table) {
       return std::any_of((table.*rows).begin(), (table.*rows).end(),
@@ -35,14 +35,15 @@ CodeIndex::CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> inste
   const auto m_number = [](const MCode& row) { return row.code; };
   const auto take = [&](const CodeTable& table, bool all) {
     for (const GCode& code : table.g) {
-      if (all || !replaced(code, &CodeTable::g, g_number)) g_sorted_.push_back(&code);
+      const bool left_out = std::find(without.begin(), without.end(), code.number10()) != without.end();
+      if (all || !(left_out || replaced(code, &CodeTable::g, g_number))) g_sorted_.push_back(&code);
     }
     for (const MCode& code : table.m) {
       if (all || !replaced(code, &CodeTable::m, m_number)) m_sorted_.push_back(&code);
     }
     for (const FeatureRow& row : table.features) features_.push_back(&row);
   };
-  for (const CodeTable& table : tables_) take(table, false);
+  for (const CodeTable& table : tables) take(table, false);
   for (const CodeTable& table : instead) take(table, true);
   meanings_ = g_sorted_;
   std::sort(g_sorted_.begin(), g_sorted_.end(),

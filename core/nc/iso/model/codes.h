@@ -105,8 +105,10 @@ struct CodeTable {
 /// All chapters of a control, with look-up by number: as programs write it, and as the shared rules do.
 class CodeIndex {
  public:
-  /// Rows of `instead` replace those of the same number in programs.
-  explicit CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> instead = {});
+  /// Rows of `instead` replace those of the same number in programs; G rows of `tables` whose numbers are in
+  /// `without` are left out.
+  explicit CodeIndex(std::vector<CodeTable> tables, std::vector<CodeTable> instead = {},
+                     std::span<const std::int32_t> without = {});
   /// By the number in programs, tenfold. Null: no such code in this control.
   const GCode* g(int number10) const {
     if (number10 >= 0 && number10 < kDense) return g_[static_cast<std::size_t>(number10)];
@@ -128,7 +130,6 @@ class CodeIndex {
   using NumberOf = std::int32_t (GCode::*)() const;
   static const GCode* beyond(const std::vector<const GCode*>& sorted, int number10, NumberOf number);
 
-  std::vector<CodeTable> tables_;
   std::array<const GCode*, kDense> g_{}, in_force_{};
   std::vector<const GCode*> g_sorted_, meanings_;  ///< by number, by code10
   std::vector<const MCode*> m_sorted_;

@@ -1,0 +1,216 @@
+// Codes of lathes in the systems A, B and C (sections 15 and 16), beside those that mills have too.
+#include "core/nc/fanuc/haas/haas.h"
+#include "core/nc/fanuc/lathe/lathe_codes.h"
+#include "core/nc/fanuc/lathe/lathe_plans.h"
+#include "core/nc/fanuc/tables/tables.h"
+#include "core/nc/iso/context/plans.h"
+#include "core/nc/iso/model/code_rows.h"
+
+namespace proveout::nc {
+namespace {
+
+using namespace rows;
+
+constexpr AddressSet kSingleWords = "XYZUVWRIKQ";
+
+/// The single cycles by their numbers in a system.
+constexpr GCode turning(int number10) {
+  return writtenAs(number10, action(lathe_code::kTurning, kGroupMotion, kSim, kSingleWords, planSingleCycle,
+                                    false, "fan-16-G90", "turning cycle"));
+}
+constexpr GCode threading(int number10) {
+  return writtenAs(number10, action(lathe_code::kThreading, kGroupMotion, kSim, kSingleWords,
+                                    planThreadingCycle, false, "fan-16-G92", "threading cycle"));
+}
+constexpr GCode facing(int number10) {
+  return writtenAs(number10, action(lathe_code::kFacing, kGroupMotion, kSim, kSingleWords, planSingleCycle,
+                                    false, "fan-16-G94", "facing cycle"));
+}
+constexpr GCode thread(int number10) {
+  return writtenAs(number10, action(gcode::kThread, kGroupMotion, kSim, "XYZUVWQ", planLatheThread, false,
+                                    "fan-16-G32", "thread"));
+}
+
+constexpr GCode finish(int number10) {
+  return writtenAs(number10, action(lathe_code::kFinish, kOneShot, kSim, "PQUW", planFinishing, true,
+                                    "fan-16-G70", "finish of a contour"));
+}
+constexpr GCode roughTurning(int number10) {
+  return writtenAs(number10,
+                   action(lathe_code::kRoughTurning, kOneShot, kSim, "PQUWRDIK", planRoughing, true,
+                          "fan-16-G71 fan-16-G71II fan-16-G71one haas-18-latheG71", "roughing along Z"));
+}
+constexpr GCode roughFacing(int number10) {
+  return writtenAs(number10, action(lathe_code::kRoughFacing, kOneShot, kSim, "PQUWRDIK", planRoughing, true,
+                                    "fan-16-G72 haas-18-latheG72", "roughing along X"));
+}
+constexpr GCode pattern(int number10) {
+  return writtenAs(number10, action(lathe_code::kPattern, kOneShot, kSim, "PQUWRDIK", planPattern, true,
+                                    "fan-16-G73 haas-18-latheG73", "passes along a contour"));
+}
+constexpr GCode facePeck(int number10) {
+  return writtenAs(number10, action(lathe_code::kFacePeck, kOneShot, kSim, "XYZUVWPQRIKD", planPecking, true,
+                                    "fan-16-G74 haas-18-latheG74", "pecks along Z"));
+}
+constexpr GCode groove(int number10) {
+  return writtenAs(number10, action(lathe_code::kGroove, kOneShot, kSim, "XYZUVWPQRIKD", planPecking, true,
+                                    "fan-16-G75 haas-18-latheG74", "pecks along X"));
+}
+constexpr GCode threadCycle(int number10) {
+  return writtenAs(number10,
+                   action(lathe_code::kThreadCycle, kOneShot, kSim, "XYZUVWPQRIKDA", planThreadCycle, true,
+                          "fan-16-G76 fan-16-G76one haas-18-latheG76", "thread in passes"));
+}
+constexpr GCode drilling(int code10, int number10, std::string_view ids, std::string_view meaning) {
+  return writtenAs(number10,
+                   action(code10, kGroupCycle, kSim, "XYZUVWRQPK", planLatheDrilling, false, ids, meaning));
+}
+
+constexpr auto kLatheTableG = std::to_array<GCode>({
+    action(100, kOneShot, kSim, "LPXYZUVWIJKRCQ", planLatheData, false, "fan-6-G10lathe", "data input"),
+    writtenAs(340, action(lathe_code::kVaryingThread, kGroupMotion, kSim, "XYZUVWQK", planLatheThread, false,
+                          "fan-16-G34", "thread of varying lead")),
+    refused(360, kOneShot, kReject, "fan-16-G36", "tool measuring along X", false, "XZUWP"),
+    refused(370, kOneShot, kReject, "fan-16-G37", "tool measuring along Z", false, "XZUWP"),
+    refused(680, kGroupRotation, kReject, "fan-9-doubleturret", "mirror image of double turrets"),
+    refused(690, kGroupRotation, kReject, "fan-9-doubleturret", "mirror image of double turrets off"),
+    writtenAs(681, action(680, kGroupRotation, kSim, "XYZUVWR", planRotation, false, "fan-9-G68.1",
+                          "rotation in the plane")),
+    writtenAs(691, modal(690, kGroupRotation, kSim, "fan-9-G68.1", "rotation off")),
+    modal(800, kGroupCycle, kSim, "fan-16-G83", "drilling cycle off"),
+    drilling(830, 830, "fan-16-G83", "face drilling"),
+    drilling(840, 840, "fan-16-G84", "face tapping"),
+    drilling(850, 850, "fan-16-G85", "face boring"),
+    drilling(830, 870, "fan-16-G87", "side drilling"),
+    drilling(840, 880, "fan-16-G88", "side tapping"),
+    drilling(850, 890, "fan-16-G89", "side boring"),
+});
+
+constexpr auto kLatheTableA = std::to_array<GCode>({
+    thread(320),
+    writtenAs(500, action(gcode::kSetPosition, kOneShot, kSim, kAxes, planSetPosition, true,
+                          "fan-15-G50 fan-15-G50S", "coordinates of the present position, speed limit")),
+    writtenAs(503, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
+                          "shifts of the work frames off")),
+    finish(700),
+    roughTurning(710),
+    roughFacing(720),
+    pattern(730),
+    facePeck(740),
+    groove(750),
+    threadCycle(760),
+    turning(900),
+    threading(920),
+    facing(940),
+    writtenAs(980, modal(gcode::kFeedPerMinute, kGroupFeedMode, kTime, "fan-15-G98", "feed per minute")),
+    writtenAs(990, modal(gcode::kFeedPerTurn, kGroupFeedMode, kTime, "fan-15-G98", "feed per turn")),
+});
+/// Codes of mills whose numbers mean nothing in system A, or are scaling.
+constexpr auto kNotInA = std::to_array<std::int32_t>({330, 500, 510, 910, 921, 950});
+
+constexpr auto kLatheTableB = std::to_array<GCode>({
+    thread(330),
+    finish(700),
+    roughTurning(710),
+    roughFacing(720),
+    pattern(730),
+    facePeck(740),
+    groove(750),
+    threadCycle(760),
+    turning(770),
+    threading(780),
+    facing(790),
+    writtenAs(921, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
+                          "shifts of the work frames off")),
+    modal(980, kGroupReturn, kSim, "fan-15-systems", "cycles return to the start level"),
+    modal(990, kGroupReturn, kSim, "fan-15-systems", "cycles return to level R"),
+});
+constexpr auto kNotInBAndC = std::to_array<std::int32_t>({500, 510});
+
+constexpr auto kLatheTableC = std::to_array<GCode>({
+    turning(200),
+    threading(210),
+    facing(240),
+    thread(330),
+    writtenAs(700, modal(gcode::kInch, kGroupUnits, kSim, "fan-15-systems", "inch data")),
+    writtenAs(710, modal(gcode::kMetric, kGroupUnits, kSim, "fan-15-systems", "metric data")),
+    finish(720),
+    roughTurning(730),
+    roughFacing(740),
+    pattern(750),
+    facePeck(760),
+    groove(770),
+    threadCycle(780),
+    writtenAs(921, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
+                          "shifts of the work frames off")),
+    modal(980, kGroupReturn, kSim, "fan-15-systems", "cycles return to the start level"),
+    modal(990, kGroupReturn, kSim, "fan-15-systems", "cycles return to level R"),
+});
+
+constexpr GCode haasFrame(int code10) {
+  return modal(code10, kGroupWorkSystem, kSim, "haas-18-G110", "additional work system", {}, true);
+}
+
+constexpr auto kHaasLatheTableG = std::to_array<GCode>({
+    action(40, kOneShot, kTime, "PXU", planHaasDwell, false, "fan-4-G04 haas-18-G04", "dwell"),
+    action(280, kOneShot, kSim, kAxes, planHaasReference, true, "fan-5-G28 haas-18-G28",
+           "to reference point 1 by way of an intermediate point; without axes all of them"),
+    action(520, kOneShot, kSim, kAxes, planHaasLocalFrame, true, "fan-6-G52 haas-18-G52",
+           "local coordinate system"),
+    action(1030, kOneShot, kHost, "P", planHaasNoted, false, "haas-18-G103", "limit of the look-ahead"),
+    haasFrame(1100),
+    haasFrame(1110),
+    haasFrame(1120),
+    haasFrame(1130),
+    haasFrame(1140),
+    haasFrame(1150),
+    haasFrame(1160),
+    haasFrame(1170),
+    haasFrame(1180),
+    haasFrame(1190),
+    haasFrame(1200),
+    haasFrame(1210),
+    haasFrame(1220),
+    haasFrame(1230),
+    haasFrame(1240),
+    haasFrame(1250),
+    haasFrame(1260),
+    haasFrame(1270),
+    haasFrame(1280),
+    haasFrame(1290),
+    modal(1540, kGroupWorkSystem, kSim, "haas-18-G154", "additional work systems", "P", true),
+    action(1870, kOneShot, kTime, "PE", planHaasNoted, false, "haas-18-G187", "smoothness"),
+});
+constexpr auto kHaasLatheTableM = std::to_array<MCode>({
+    {31, MPhase::kBefore, 0, kHost, {}, "haas-18-M", "chip conveyor forward"},
+    {33, MPhase::kAfter, 0, kHost, {}, "haas-18-M", "chip conveyor stop"},
+    {97, MPhase::kCall, kFlowCodes, kSim, "PL", "haas-18-M97", "call of a part of the program"},
+    {98, MPhase::kCall, kFlowCodes, kSim, "PL", "fan-11-M98 haas-18-M98L", "subprogram call"},
+});
+
+constexpr auto kLatheTableM = std::to_array<MCode>({
+    {23, MPhase::kBefore, 0, kState, {}, "haas-18-latheG76", "threads end in a run-out"},
+    {24, MPhase::kBefore, 0, kState, {}, "haas-18-latheG76", "threads end sharp"},
+});
+
+}  // namespace
+
+CodeTable fanucLatheTable() { return {kLatheTableG, kLatheTableM, {}}; }
+CodeTable haasLatheTable() { return {kHaasLatheTableG, kHaasLatheTableM, {}}; }
+CodeTable fanucLatheSystemTable(GCodeSystem system) {
+  switch (system) {
+    case GCodeSystem::kA:
+      return {kLatheTableA, {}, {}};
+    case GCodeSystem::kB:
+      return {kLatheTableB, {}, {}};
+    case GCodeSystem::kC:
+      break;
+  }
+  return {kLatheTableC, {}, {}};
+}
+std::span<const std::int32_t> notInSystem(GCodeSystem system) {
+  return system == GCodeSystem::kA ? std::span<const std::int32_t>(kNotInA)
+                                   : std::span<const std::int32_t>(kNotInBAndC);
+}
+
+}  // namespace proveout::nc
