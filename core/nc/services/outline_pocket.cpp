@@ -23,7 +23,7 @@ struct Chord {
 };
 
 /// Part of a lane.
-struct Span {
+struct PocketSpan {
   double from, to;
   double across;
   bool done = false;
@@ -152,7 +152,7 @@ class LanePlanner {
   void run(Vec2& at, std::vector<PocketMove>& moves) {
     for (std::size_t k = 0; k < spans_.size(); ++k) {
       bool backwards = false;
-      Span& next = nearest(at, backwards);
+      PocketSpan& next = nearest(at, backwards);
       next.done = true;
       const Vec2 from(backwards ? next.to : next.from, next.across);
       const Vec2 to(backwards ? next.from : next.to, next.across);
@@ -182,10 +182,10 @@ class LanePlanner {
     if (isInside(Vec2(0.5 * (from + to), v), chords_)) spans_.push_back({from, to, v, false});
   }
   /// The span whose nearer end is next; of ways that keep off the wall before others.
-  Span& nearest(const Vec2& at, bool& backwards) {
-    Span* best = nullptr;
+  PocketSpan& nearest(const Vec2& at, bool& backwards) {
+    PocketSpan* best = nullptr;
     double best_cost = std::numeric_limits<double>::infinity();
-    for (Span& span : spans_) {
+    for (PocketSpan& span : spans_) {
       if (span.done) continue;
       for (const bool back : {false, true}) {
         const Vec2 end(back ? span.to : span.from, span.across);
@@ -203,7 +203,7 @@ class LanePlanner {
   double least_;
   double low_ = std::numeric_limits<double>::infinity();  ///< of the outline, across the lanes
   double high_ = -std::numeric_limits<double>::infinity();
-  std::vector<Span> spans_;
+  std::vector<PocketSpan> spans_;
 };
 
 PlaneContour reversedContour(const PlaneContour& contour) {

@@ -43,12 +43,12 @@ constexpr auto kHaasRowsList = std::to_array<CoverageIdRow>({
     {"haas-18-offsets", "SIM", "missing", ""},
     {"haas-18-vars", "SIM", "missing", ""},
     {"haas-18-macro", "SIM", "missing", ""},
-    {"haas-18-latheG71", "SIM", "missing", ""},
-    {"haas-18-latheG72", "SIM", "missing", ""},
-    {"haas-18-latheG73", "SIM", "missing", ""},
-    {"haas-18-latheG74", "SIM", "missing", ""},
-    {"haas-18-latheG76", "SIM", "missing", ""},
-    {"haas-18-T", "SIM", "missing", ""},
+    {"haas-18-latheG71", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_contours_test.cpp"},
+    {"haas-18-latheG72", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_contours_test.cpp"},
+    {"haas-18-latheG73", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_contours_test.cpp"},
+    {"haas-18-latheG74", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
+    {"haas-18-latheG76", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
+    {"haas-18-T", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
 });
 // clang-format on
 

@@ -105,7 +105,7 @@ constexpr auto kFanucTextRowsList = std::to_array<CoverageIdRow>({
     {"fan-6-G10L11", "SIM", "missing", ""},
     {"fan-6-G10L12", "SIM", "missing", ""},
     {"fan-6-G10L13", "SIM", "missing", ""},
-    {"fan-6-G10lathe", "SIM", "missing", ""},
+    {"fan-6-G10lathe", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
     {"fan-6-G10L50", "STATE", "missing", ""},
     {"fan-6-G10L3", "HOST", "missing", ""},
     {"fan-7-T", "SIM", "missing", ""},
