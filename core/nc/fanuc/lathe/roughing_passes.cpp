@@ -72,8 +72,10 @@ class Levels {
   void passInPocket(const Zone& zone, const Zone& stretch, double height, double before) {
     const double top = entry(zone, stretch, before);
     const Vec2 start = profile_.at(top);
-    lift(before + rules_.escape, Speed::kRapid);
+    const double clear = before + rules_.escape;
+    if (level(at_) < clear) lift(clear, Speed::kRapid);  // never down where the flank behind it stands
     alongTo(start[along_], Speed::kRapid);
+    lift(clear, Speed::kRapid);
     lift(level(start), Speed::kFeed);
     follow(top, stretch.a);
     cross(stretch.b, height);

@@ -186,9 +186,11 @@ class RandomContour {
     PlaneContour all;
     Vec2 p(0.0, number(5.0, 12.0));
     const int n = 3 + static_cast<int>(number(0.0, 8.0));
+    bool wall = true;  // two in a row would leave a slit without width
     for (int k = 0; k < n; ++k) {
-      Vec2 to(p.x() - (number(0.0, 1.0) < 0.2 && p.x() < 0.0 ? 0.0 : number(0.5, 8.0)), p.y());
-      if (number(0.0, 1.0) < 0.7 || to.x() == p.x()) to.y() += number(pockets ? -4.0 : 0.1, 5.0);
+      wall = !wall && k + 1 < n && number(0.0, 1.0) < 0.2;
+      Vec2 to(p.x() - (wall ? 0.0 : number(0.5, 8.0)), p.y());
+      if (number(0.0, 1.0) < 0.7 || wall) to.y() += number(pockets ? -4.0 : 0.1, 5.0);
       to.y() = std::clamp(to.y(), 3.0, 29.0);
       if ((to - p).norm() < 1e-3) continue;
       all.push_back(lineElement(p, to));
