@@ -175,6 +175,7 @@ std::optional<TrialBench::Changed> TrialBench::changedSetup(const Trial& trial) 
   out.whole = job_;
   if (trial.datum && !trial.datum(out.whole)) return std::nullopt;
   out.part = jobOfSetup(out.whole, trial.setup);
+  out.part.person.kept = run_.setups[trial.setup].job.person.kept;
   const RecordingSource& texts = *sources_[trial.setup];
   const TextEncoding encoding = out.part.settings.encoding;
   out.part.settings.encoding = TextEncoding::kUtf8;

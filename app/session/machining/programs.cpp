@@ -96,6 +96,9 @@ Status interpretAll(const Job& job, const RunSources& sources, const Blank& blan
                     Progress& progress) {
   for (std::size_t k = 0; k < sources.size(); ++k) {
     SetupRun setup = emptySetup(job, k);
+    // One control runs them one after the other: what it keeps, the next program finds.
+    if (k > 0 && run.setups.back().job.control == setup.job.control)
+      setup.job.person.kept = run.setups.back().interpreted.summary.kept;
     const Box3 bounds = movedBounds(job, blank.bounds, k);
     Diagnostics placing;
     placeByFirstOffset(setup.job, *sources[k], bounds, placing, progress);

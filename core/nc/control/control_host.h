@@ -68,7 +68,9 @@ struct Operator {
   std::array<double, 3> plc_numbers{};  ///< inputs #1033 to #1035
   bool test_mode = false;               ///< #_TEST
   int date = 20000101;                  ///< YYYYMMDD
-  int time = 0;                         ///< HHMMSS at the start of the program; goes on with the cycle time
+  /// Variables that the programs before this one have left in the control (InterpretSummary::kept).
+  std::map<int, double> kept;
+  int time = 0;  ///< HHMMSS at the start of the program; goes on with the cycle time
 };
 
 /// Null: there is none. Without a probe measuring moves meet nothing; without an output files are written in

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 
 namespace proveout {
 
@@ -23,6 +24,9 @@ struct InterpretSummary {
   double cycle_s = 0.0;    ///< everything: motions, dwells, tool changes
   double cutting_s = 0.0;  ///< feed motions
   double rapid_s = 0.0;    ///< rapid motions
+  /// By number: variables that the control keeps for its next program, of controls that do. Without those
+  /// that are vacant.
+  std::map<int, double> kept = {};
   bool ok() const { return errors == 0 && end != ProgramEnd::kCancelled; }
 };
 

@@ -98,11 +98,6 @@ std::string VariableStore::upperCase(std::string_view name) {
   return out;
 }
 
-void VariableStore::clearVolatile() {
-  for (int k = 1; k <= kLocalCount; ++k) put(locals_[static_cast<std::size_t>(k)], Value::none());
-  for (int k = kFirstGlobal; k < kFirstKept; ++k) put(global(k), Value::none());
-}
-
 VariableBank* VariableStore::bankOf(int number) const {
   const auto behind = std::upper_bound(banks_.begin(), banks_.end(), number,
                                        [](int wanted, const Range& range) { return wanted < range.first; });

@@ -99,9 +99,6 @@ class VariableStore {
 
   /// #100 to #last are the globals in front of #500; without this call up to #499.
   void endLowGlobals(int last) { low_end_ = last; }
-  /// Locals of level 0 and the globals in front of #500 become vacant.
-  void clearVolatile();
-
   /// #first to #last, within 500-999, refuse to be written (N1702, N1703); first > last: none.
   void protect(int first, int last);
   /// Hands the numbers first..last to a bank, which must live as long as the store. Ranges do not overlap.

@@ -3,6 +3,7 @@
 
 #include "core/nc/fanuc/macro/macro_rules.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
+#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/words.h"
 
 namespace proveout::nc {
@@ -28,6 +29,9 @@ void partNumber(IsoContext& c, const Word& p, SubprogramCall& call) {
                p.columns);
     return;
   }
+  noteSetting(c, FanucParam::kSubprogramForm,
+              fmt::format("P{} is program O{:04} {} times, with the form L it is program O{}", whole, number,
+                          whole / kNumberDigits, whole));
   call.number = number;
   call.count = whole / kNumberDigits;
 }

@@ -20,6 +20,12 @@ VariableStatus CommonBank::read(int number, Value& out) {
   return VariableStatus::kDone;
 }
 
+void CommonBank::addTo(std::map<int, double>& kept) const {
+  for (const auto& [number, value] : values_) {
+    if (!value.vacant) kept[number] = value.number;
+  }
+}
+
 VariableStatus CommonBank::write(int number, const Value& value) {
   values_[number] = value;
   return VariableStatus::kDone;

@@ -1,6 +1,7 @@
 // Variables that only keep what programs write: the larger common memory, settings.
 #pragma once
 
+#include <map>
 #include <unordered_map>
 
 #include "core/nc/macro/variables.h"
@@ -13,6 +14,8 @@ class CommonBank : public VariableBank {
   void addTo(VariableStore& store);
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int number, const Value& value) override;
+  /// Values that are not vacant.
+  void addTo(std::map<int, double>& kept) const;
 
  private:
   std::unordered_map<int, Value> values_;

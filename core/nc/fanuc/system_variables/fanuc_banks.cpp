@@ -4,9 +4,12 @@
 
 #include <array>
 #include <string_view>
+#include <unordered_map>
+#include <utility>
 
 #include "core/base/characters.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
+#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/fanuc/system_variables/common_bank.h"
 #include "core/nc/fanuc/system_variables/offset_numbers.h"
 #include "core/nc/iso/context/context.h"
@@ -63,6 +66,29 @@ double plainCode(const IsoState& s, int group) {
   return group < kGroupCount ? s.active[static_cast<std::size_t>(group)] / 10.0 : 0.0;
 }
 
+/// Mills of Haas have the work frames in group 12.
+double haasCode(const IsoState& s, int group) {
+  return plainCode(s, group == kGroupMacro ? kGroupWorkSystem : group);
+}
+
+/// Groups of lathes: 2 is constant surface speed, 16 the plane.
+double latheCode(const IsoState& s, int group) {
+  constexpr int kSurface = 2, kPlaneOfLathes = 16, kZones = 9, kCycles = 10;
+  const int shared = group == kSurface         ? kGroupSurfaceSpeed
+                     : group == kPlaneOfLathes ? kGroupPlane
+                     : group == kZones         ? kGroupZones
+                     : group == kCycles        ? kGroupCycle
+                                               : group;
+  return plainCode(s, shared);
+}
+
+/// System A writes feeds per minute and per turn as G98 and G99, and has no G90 and G91.
+double latheCodeOfA(const IsoState& s, int group) {
+  constexpr double kPerMinute = 98, kPerTurn = 99;
+  if (group == kGroupFeedMode) return s.perTurn() ? kPerTurn : kPerMinute;
+  return group == kGroupDistance ? 0.0 : latheCode(s, group);
+}
+
 /// The number behind the O or : that stands in front of the program; 0: none.
 int headNumber(const SourceText& text) {
   constexpr std::size_t kFarthest = 100;
@@ -85,11 +111,14 @@ class UnknownBank : public VariableBank {
   explicit UnknownBank(IsoContext& context) : c_(context) {}
   VariableStatus read(int number, Value& out) override {
     if (!takes(number)) return VariableStatus::kUnknown;
-    out = Value::none();
+    const auto found = values_.find(number);
+    out = found == values_.end() ? Value::none() : found->second;
     return VariableStatus::kDone;
   }
-  VariableStatus write(int number, const Value& /*value*/) override {
-    return takes(number) ? VariableStatus::kDone : VariableStatus::kUnknown;
+  VariableStatus write(int number, const Value& value) override {
+    if (!takes(number)) return VariableStatus::kUnknown;
+    values_[number] = value;
+    return VariableStatus::kDone;
   }
 
  private:
@@ -97,20 +126,52 @@ class UnknownBank : public VariableBank {
     if (!c_.parameters.flag(FanucParam::kUnknownVariables) || number < 0) return false;
     if (c_.firstTime(fmt::format("unknown #{}", number))) {
       c_.warn("unknown-variable",
-              fmt::format("#{} is not known here: it is vacant (unknown_variables = \"null\")", number), {},
-              Severity::kNote);
+              fmt::format(
+                  "#{} is not known here: it is vacant until it is written (unknown_variables = \"null\")",
+                  number),
+              {}, Severity::kNote);
     }
     return true;
   }
   IsoContext& c_;
+  std::unordered_map<int, Value> values_;
+};
+
+/// Of mills: which number is which cell depends on settings, which is told once.
+class MillOffsets final : public ToolOffsetBank {
+ public:
+  MillOffsets(IsoContext& context, std::vector<OffsetNumbers> numbers)
+      : ToolOffsetBank(context, std::move(numbers)), c_(context) {}
+  VariableStatus read(int number, Value& out) override {
+    tell(number);
+    return ToolOffsetBank::read(number, out);
+  }
+  VariableStatus write(int number, const Value& value) override {
+    tell(number);
+    return ToolOffsetBank::write(number, value);
+  }
+
+ private:
+  void tell(int number) {
+    if (told_) return;
+    told_ = true;
+    noteSetting(
+        c_, FanucParam::kV15,
+        fmt::format("#{} is a cell of the offset table, and geometry and wear change places with it (as "
+                    "does what offset_memory says)",
+                    number));
+  }
+  IsoContext& c_;
+  bool told_ = false;
 };
 
 class FanucBanks final : public SystemVariables {
  public:
-  FanucBanks(IsoContext& context, std::vector<OffsetNumbers> offsets, std::span<const FrameNumbers> frames)
-      : modal_(context, {plainCode, kFanucGroups, headNumber, true}),
+  FanucBanks(IsoContext& context, std::unique_ptr<ToolOffsetBank> offsets,
+             std::span<const FrameNumbers> frames, double (*code)(const IsoState&, int))
+      : modal_(context, {code, kFanucGroups, headNumber, true}),
         frames_(context, {frames, false}),
-        offsets_(context, std::move(offsets)),
+        offsets_(std::move(offsets)),
         positions_(context, {true, false}),
         plc_(context.host.person),
         status_(context, {kHourMs, false, true}),
@@ -120,19 +181,27 @@ class FanucBanks final : public SystemVariables {
     store.endLowGlobals(kLastLowCommon);
     modal_.addTo(store);
     frames_.addTo(store);
-    offsets_.addTo(store);
+    offsets_->addTo(store);
     positions_.addTo(store);
     plc_.addTo(store);
     status_.addTo(store);
     messages_.addTo(store);
     common_.addTo(store);
     store.setFallback(unknown_);
+    for (const auto& [number, value] : context.host.person.kept) store.write(number, {value});
+  }
+  void keep(IsoContext& c) override {
+    for (int number = VariableStore::kFirstKept; number <= VariableStore::kLastGlobal; ++number) {
+      Value value;
+      if (c.variables.peek(number, value) && !value.vacant) c.summary.kept[number] = value.number;
+    }
+    common_.addTo(c.summary.kept);
   }
 
  private:
   ModalBank modal_;
   FrameBank frames_;
-  ToolOffsetBank offsets_;
+  std::unique_ptr<ToolOffsetBank> offsets_;
   PositionBank positions_;
   PlcBank plc_;
   StatusBank status_;
@@ -146,12 +215,15 @@ class FanucBanks final : public SystemVariables {
 std::unique_ptr<SystemVariables> fanucMillBanks(IsoContext& context) {
   const OffsetNumbering numbering = numberingOf(context);
   const std::span<const FrameNumbers> frames = kMillFrames;
-  return std::make_unique<FanucBanks>(context, millOffsetNumbers(numbering),
-                                      numbering.v15 ? frames.first(kMillFrames.size() - 1) : frames);
+  return std::make_unique<FanucBanks>(
+      context, std::make_unique<MillOffsets>(context, millOffsetNumbers(numbering)),
+      numbering.v15 ? frames.first(kMillFrames.size() - 1) : frames, numbering.haas ? haasCode : plainCode);
 }
 
 std::unique_ptr<SystemVariables> fanucLatheBanks(IsoContext& context) {
-  return std::make_unique<FanucBanks>(context, latheOffsetNumbers(numberingOf(context)), kLatheFrames);
+  return std::make_unique<FanucBanks>(
+      context, std::make_unique<ToolOffsetBank>(context, latheOffsetNumbers(numberingOf(context))),
+      kLatheFrames, givenOr(context, "gcode_system", 0.0) == 0.0 ? latheCodeOfA : latheCode);
 }
 
 }  // namespace proveout::nc

@@ -46,6 +46,8 @@ struct SubprogramCall {
 class SystemVariables {
  public:
   virtual ~SystemVariables() = default;
+  /// The run is over, whatever ended it: what the control keeps goes into the summary.
+  virtual void keep(IsoContext& /*c*/) {}
 };
 
 /// What numbers of messages that a program raises count from.

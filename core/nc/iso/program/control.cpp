@@ -62,6 +62,7 @@ IsoControl::Turn IsoControl::advance() {
   if (go == Go::kWaits) return Turn::kWaits;
   context_.stages.rapid.flush(FlushReason::kEnd);  // behind an alarm too: the axes come to a stand
   context_.emitter.time().flush();
+  if (system_variables_) system_variables_->keep(context_);
   return Turn::kEnded;
 }
 

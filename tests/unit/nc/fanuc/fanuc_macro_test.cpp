@@ -267,6 +267,8 @@ TEST(FanucMacro, ErrorsHaveTheNumbersOfTheControl) {
   const IsoRun null = macroMill("O1\n#1=#7777\n#7778=1\nG0 X1 Y#1\nM30\n", {{"unknown_variables", 1}});
   EXPECT_EQ(null.motions(), (Lines{"R 1 0 0"}));
   EXPECT_TRUE(null.tells("fanuc-unknown-variable"));
+  EXPECT_EQ(macroMill("O1\n#461=3\nG0 X#461\nM30\n", {{"unknown_variables", 1}}).motions(),
+            (Lines{"R 3 0 0"}));
 }
 
 // Row 37. fan-12-alarm

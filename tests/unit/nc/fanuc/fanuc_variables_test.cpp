@@ -200,6 +200,13 @@ TEST(FanucVariables, ModalCodesAndWordsAreTold) {
                           {"G91", "#4203", "91"},
                           {"S800", "#4319", "800"}})
     EXPECT_EQ(readVariable(one.blocks, one.variable), one.value) << one.blocks << " " << one.variable;
+  const ControlSettings haas = withOffsets({{"flavour", 1}});
+  EXPECT_EQ(IsoRun(ControlId::kFanucMill, "O1\nG56\nG0 X#4012\nM30\n", haas).motions().size(), 1u);
+  EXPECT_EQ(
+      IsoRun(ControlId::kFanucLathe,
+             "O1\nG96 S100 M3\nG99\n#500=[#4002*1000]+#4005\nG97 S100\nIF[#500 NE 96099]THEN #3000=1\nM30\n")
+          .error(),
+      "");
   EXPECT_EQ(IsoRun(ControlId::kFanucMill, "O5\nG65 P77\nG0 Y#4115\nM30\nO77\nG0 X#4115\nM99\n").motions(),
             (Lines{"R 77 0 0", "R 77 5 0"}));
 }
@@ -221,6 +228,22 @@ TEST(FanucVariables, ClocksCountersInputsAndOutputs) {
   EXPECT_EQ(readVariable("#1103=1", "#1132"), "8");
   EXPECT_EQ(readVariable("#1132=5", "#1102"), "1");
   EXPECT_EQ(readVariable("", "#3100"), "null");
+}
+
+// Row 60. fan-12-vars
+TEST(FanucVariables, CommonVariablesAreKeptForTheNextProgram) {
+  MemoryProgramSource first("a.nc", "O1\n#1=5\n#100=2\n#500=1\n#900001=7\n#510=3\n#510=#0\nM30\n");
+  Toolpath path;
+  ToolpathBuilder sink(path);
+  ControlHost host;
+  host.person.kept = interpret(ControlId::kFanucMill, first, runAtZero(), sink, nullptr, host).kept;
+  MemoryProgramSource second(
+      "b.nc", "O2\nG0 X[#500+0] Y[#900001+0] Z[#1+#100+#510]\nIF[#100 NE #0]THEN #3000=1\nM30\n");
+  Toolpath next;
+  ToolpathBuilder next_sink(next);
+  EXPECT_TRUE(interpret(ControlId::kFanucMill, second, runAtZero(), next_sink, nullptr, host).ok());
+  ASSERT_EQ(next.motions.size(), 1u);
+  EXPECT_EQ(next.motions[0].to, Vec3(1, 7, 0));
 }
 
 class Plate : public Probe {
