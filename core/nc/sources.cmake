@@ -175,6 +175,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/program/control.cpp
   nc/iso/program/data_input.cpp
   nc/iso/program/flow.cpp
+  nc/iso/program/language.cpp
   nc/iso/model/program_store.cpp
   nc/iso/program/reset.cpp
   nc/iso/program/block_ends.cpp

@@ -18,6 +18,7 @@
 #include "core/mesh/mesh_placement.h"
 #include "core/nc/control/control_host.h"
 #include "core/nc/control/control_settings.h"
+#include "core/nc/control/text_settings.h"
 #include "core/tool/tool.h"
 #include "io/acceptance.h"
 #include "io/job/cutting_limits.h"
@@ -198,6 +199,8 @@ struct JobNames {
   std::map<std::string, std::vector<ParameterRange>> parameters;
   /// By control: NAME of its table `[control.NAME]`, which several may share. Without an entry: its own name.
   std::map<std::string, std::string> settings_tables = {};
+  /// Settings that are no numbers, by control.
+  std::map<std::string, std::vector<TextSetting>> texts;
   /// `program` is a name for diagnostics, not a file: the programs come from elsewhere. Subprograms are
   /// files.
   bool programs_in_memory = false;

@@ -10,6 +10,7 @@
 
 #include "core/base/printable.h"
 #include "io/atomic_file.h"
+#include "io/job/control_texts.h"
 #include "io/job/machine_events.h"
 #include "io/job/machine_file.h"
 
@@ -30,12 +31,13 @@ std::vector<ParameterRange> parameterRanges(const JobNames& names, const std::st
 /// Reads `N1339 = 0.01` and `N1337.SEC = 1`, which TOML turns into a table.
 class ParameterReader {
  public:
-  /// `control`: whose parameters these are; they go to `values`.
+  /// `control`: whose parameters these are; they go to `values`, settings that are no numbers to the job.
   ParameterReader(const ConfigDocument& document, const JobNames& names, std::string control,
-                  std::map<std::string, double>& values)
+                  std::map<std::string, double>& values, Job& job)
       : document_(document),
         control_(std::move(control)),
         values_(values),
+        texts_(document, names, control_, job),
         ranges_(parameterRanges(names, control_)) {
     for (const ParameterRange& range : ranges_) known_.push_back(range.name);
   }
@@ -43,6 +45,7 @@ class ParameterReader {
   void read(const std::vector<ConfigEntry>& entries, const std::string& prefix) {
     for (const ConfigEntry& entry : entries) {
       const std::string name = prefix + entry.key;
+      if (prefix.empty() && texts_.take(entry)) continue;
       if (entry.value.type == Type::kTable) {
         read(entry.value.entries, name + ".");
       } else {
@@ -98,6 +101,7 @@ class ParameterReader {
   const ConfigDocument& document_;
   std::string control_;
   std::map<std::string, double>& values_;
+  ControlTexts texts_;
   std::vector<ParameterRange> ranges_;
   std::vector<std::string> known_;
 };
@@ -126,7 +130,7 @@ void readSettingsOfAll(ConfigTable& control, const JobNames& names, Job& job) {
     if (job.settings_by_table.contains(table)) continue;
     auto parameters = control.table(table);
     if (!parameters) continue;
-    ParameterReader(parameters->document(), names, name, job.settings_by_table[table])
+    ParameterReader(parameters->document(), names, name, job.settings_by_table[table], job)
         .read(parameters->entries(), "");
   }
 }
@@ -411,7 +415,8 @@ void readControl(ConfigTable& root, const JobNames& names, Job& job) {
 }
 
 void readParameters(ConfigTable& table, const JobNames& names, Job& job) {
-  ParameterReader(table.document(), names, job.control, job.settings.parameters).read(table.entries(), "");
+  ParameterReader(table.document(), names, job.control, job.settings.parameters, job)
+      .read(table.entries(), "");
 }
 
 void loadMachine(const std::string& path, Job& job, Diagnostics& diagnostics) {

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "core/nc/control/control_info.h"
+#include "core/nc/control/text_settings.h"
 
 namespace proveout {
 namespace {
@@ -20,6 +21,8 @@ JobNames jobNames() {
     if (!control.built) continue;
     names.controls.emplace_back(control.name);
     names.settings_tables[std::string(control.name)] = control.settings_table;
+    const auto texts = textSettings(control.id);
+    names.texts[std::string(control.name)].assign(texts.begin(), texts.end());
     auto& ranges = names.parameters[std::string(control.name)];
     for (const ParameterInfo& p : parameterTable(control.id)) {
       ranges.push_back({std::string(p.name), p.min, p.max, p.count});

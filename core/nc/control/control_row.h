@@ -1,9 +1,12 @@
 // One control in the list of controls: what it is and everything that it can be asked for.
 #pragma once
 
+#include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -13,6 +16,7 @@
 #include "core/nc/control/control_settings.h"
 #include "core/nc/control/program_source.h"
 #include "core/nc/control/run_summary.h"
+#include "core/nc/control/text_settings.h"
 #include "core/path/toolpath.h"
 
 namespace proveout::nc {
@@ -45,6 +49,7 @@ struct ControlRow {
   /// Why rows are open, by id.
   std::map<std::string, std::string_view> (*open_reasons)() = nullptr;
   std::vector<ParameterInfo> (*parameters)() = nullptr;
+  std::span<const TextSetting> texts = {};  ///< settings that are no numbers
   /// Whether values of these parameters limit the travel of an axis.
   bool (*limits_travel)(const std::map<std::string, double>&) = nullptr;
 };

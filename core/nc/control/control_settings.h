@@ -168,6 +168,9 @@ struct ControlSettings {
 
   /// Parameters of the control by name ("N1339" = 0.01, "N1337.SEC" = 1). Unknown names are errors.
   std::map<std::string, double> parameters;
+  /// Settings of the control that are no numbers, by name: texts, and files as their text ("tool_table").
+  /// Names that the control does not know are errors of the job.
+  std::map<std::string, std::string> texts;
 };
 
 /// Machine point of the zero that the job's G54 and common offset name, mm.

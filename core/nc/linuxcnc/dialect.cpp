@@ -1,10 +1,10 @@
 #include "core/nc/linuxcnc/dialect.h"
 
-#include "core/nc/iso/system_variables/all_banks.h"
 #include "core/nc/linuxcnc/alarms.h"
 #include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/formulas.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+#include "core/nc/linuxcnc/program/lcn_language.h"
 #include "core/nc/linuxcnc/tables/tables.h"
 
 namespace proveout::nc {
@@ -17,10 +17,12 @@ LexRules linuxCncLexing() {
   return rules;
 }
 
+std::unique_ptr<IsoLanguage> linuxCncLanguage(IsoContext& c) { return std::make_unique<LinuxCncLanguage>(c); }
+
 }  // namespace
 
 const CodeIndex& linuxCncCodes() {
-  static const CodeIndex kIndex({linuxCncMotionTable()});
+  static const CodeIndex kIndex({linuxCncMotionTable(), linuxCncFunctionTable()});
   return kIndex;
 }
 
@@ -32,11 +34,11 @@ const IsoDialect& linuxCncDialect(const std::map<std::string, double>& /*setting
       .parameters = linuxCncParameters(),
       .formulas = linuxCncFormulas(),
       .lexing = linuxCncLexing(),
-      .layout = ProgramLayout::kSeveralInAFile,
-      .system_variables = allBanks,
+      .layout = ProgramLayout::kOneInAFile,
       .maker_data = makeLinuxCncChannel,
       .plan = planLinuxCncBlock,
       .power_on = powerOnLinuxCnc,
+      .language = linuxCncLanguage,
   };
   return kDialect;
 }

@@ -1,9 +1,17 @@
 #include "core/nc/linuxcnc/formulas.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace proveout::nc {
 namespace {
+
+/// At 90 degrees too the interpreter gives what the machine's tangent is there: a very large number.
+Refusal lcnTangent(double x, double& out) {
+  out = std::tan(x * std::numbers::pi / 180.0);
+  return {};
+}
 
 constexpr int kLcnLogic = 1, kLcnRelation = 2, kLcnSum = 3, kLcnProduct = 4, kLcnPower = 5;
 constexpr auto kLcnOperators = std::to_array<FormulaOperator>({
@@ -27,7 +35,7 @@ constexpr auto kLcnFunctions = std::to_array<FormulaFunction>({
     {"SIN", sine},
     {"SQRT", squareRoot},
     {"COS", cosine},
-    {"TAN", tangent},
+    {"TAN", lcnTangent},
     {"ABS", absoluteValue},
     {"ASIN", arcSine},
     {"ACOS", arcCosine},
@@ -35,6 +43,7 @@ constexpr auto kLcnFunctions = std::to_array<FormulaFunction>({
     {"FIX", downwards},
     {"FUP", upwards},
     {"EXP", exponential},
+    {"EXISTS", nullptr, nullptr, "", 1},
     {"LN", naturalLogarithm},
     {"ROUND", nearest},
 });
@@ -42,7 +51,9 @@ constexpr auto kLcnFunctions = std::to_array<FormulaFunction>({
 constexpr FormulaRules linuxCncRules() {
   FormulaRules out;
   out.whole_conditions = true;
-  out.argument = FormulaArgument::kBracket;
+  out.comments = false;  // formulas are read without them
+  out.argument = FormulaArgument::kBracketAtOnce;
+  out.exact_order = true;
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "core/nc/iso/program/control.h"
 #include "core/nc/linuxcnc/coverage/rows.h"
 #include "core/nc/linuxcnc/dialect.h"
+#include "core/nc/linuxcnc/files/lcn_settings.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/specification/specification_text.h"
 
@@ -12,7 +13,8 @@ namespace {
 
 InterpretSummary runLinuxCnc(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                              Progress* progress, const ControlHost& host) {
-  return IsoControl(linuxCncDialect(settings.parameters), source, settings, sink, progress, host).run();
+  const ControlSettings all = withLcnMachine(settings);
+  return IsoControl(linuxCncDialect(all.parameters), source, all, sink, progress, host).run();
 }
 
 std::vector<CoverageRow> linuxCncCoverage() { return coverageOf(linuxCncCodes()); }
@@ -33,6 +35,7 @@ const ControlRow& linuxCncRow() {
       .coverage_ids = linuxCncRows,
       .open_reasons = linuxCncOpenReasons,
       .parameters = linuxCncSettings,
+      .texts = linuxCncTexts(),
   };
   return kRow;
 }

@@ -3,6 +3,25 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/dialect.cpp
   nc/linuxcnc/formulas.cpp
   nc/linuxcnc/linuxcnc_row.cpp
+  nc/linuxcnc/files/lcn_ini.cpp
+  nc/linuxcnc/files/lcn_settings.cpp
+  nc/linuxcnc/files/lcn_tool_table.cpp
+  nc/linuxcnc/files/lcn_var_file.cpp
+  nc/linuxcnc/macro/lcn_expression.cpp
+  nc/linuxcnc/macro/lcn_o_words.cpp
+  nc/linuxcnc/macro/lcn_variables.cpp
+  nc/linuxcnc/program/lcn_comments.cpp
+  nc/linuxcnc/program/lcn_functions.cpp
+  nc/linuxcnc/program/lcn_kept.cpp
+  nc/linuxcnc/program/lcn_language.cpp
+  nc/linuxcnc/program/lcn_reader.cpp
+  nc/linuxcnc/program/lcn_remap.cpp
+  nc/linuxcnc/program/lcn_saved_state.cpp
+  nc/linuxcnc/program/lcn_statements.cpp
+  nc/linuxcnc/program/lcn_system_values.cpp
+  nc/linuxcnc/text/lcn_groups.cpp
+  nc/linuxcnc/text/lcn_line.cpp
+  nc/linuxcnc/text/lcn_unused.cpp
   nc/linuxcnc/coverage/rows.cpp
   nc/linuxcnc/coverage/rows_motion.cpp
   nc/linuxcnc/coverage/rows_text.cpp
@@ -21,4 +40,5 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/motion/probe.cpp
   nc/linuxcnc/motion/splines.cpp
   nc/linuxcnc/motion/straight.cpp
+  nc/linuxcnc/tables/functions.cpp
   nc/linuxcnc/tables/motion.cpp)

@@ -240,7 +240,9 @@ bool FormulaParser<Control>::combine(const FormulaOperator& op, std::size_t entr
                                      Value& left, const Value& right) {
   double out = 0.0;
   if (isRelation(op.operation)) {
-    const bool holds = related(op.operation, rules_.vacant, left, right, self().tolerance());
+    const bool same = op.operation == Operation::kEqual || op.operation == Operation::kUnequal;
+    const double near = rules_.exact_order && !same ? 0.0 : self().tolerance();
+    const bool holds = related(op.operation, rules_.vacant, left, right, near);
     self().compared(left, right, holds);
     out = holds ? 1.0 : 0.0;
   } else if (op.operation >= Operation::kOr) {

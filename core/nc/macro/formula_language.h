@@ -101,6 +101,7 @@ struct FormulaRules {
   bool bracket_names = false;  ///< #[_NAME] too
   bool refuses_vacant_condition =
       false;             ///< a condition without a value is an error; false: it does not hold
+  bool exact_order = false;  ///< the tolerance of numbers counts for equal and unequal alone
   int formula_rank = 0;  ///< operators below stand in conditions only
   int most_depth = 64;
   FormulaDepth depth = FormulaDepth::kOperands;

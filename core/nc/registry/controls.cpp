@@ -88,6 +88,8 @@ Result<std::vector<CoverageRow>> coverageTable(ControlId control) {
   return inputError(nc::kNotBuilt);
 }
 
+std::span<const TextSetting> textSettings(ControlId control) { return nc::rowOf(control).texts; }
+
 std::vector<ParameterInfo> parameterTable(ControlId control) {
   const auto table = nc::rowOf(control).parameters;
   return table != nullptr ? table() : std::vector<ParameterInfo>{};

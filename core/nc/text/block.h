@@ -13,6 +13,8 @@ using Address = char;
 inline constexpr Address kCommaChamfer = 'c';    ///< ,C
 inline constexpr Address kCommaRounding = 'r';   ///< ,R
 inline constexpr Address kCommaDirection = 'a';  ///< ,A
+inline constexpr Address kPolarAngle = '^';      ///< of LinuxCNC; its @ is kNamedWord
+inline constexpr Address kSpindleNumber = '$';   ///< of LinuxCNC
 inline constexpr Address kNamedWord = '@';       ///< an axis or spindle with a name of several characters
 
 /// A set of addresses.
@@ -51,6 +53,10 @@ inline std::string_view addressText(Address a) {
       return ",R";
     case kCommaDirection:
       return ",A";
+    case kPolarAngle:
+      return "^";
+    case kSpindleNumber:
+      return "$";
     default:
       return a >= 'A' && a <= 'Z' ? kLetters.substr(static_cast<std::size_t>(a - 'A'), 1) : "?";
   }
@@ -86,7 +92,8 @@ enum class LineKind : std::uint8_t {
   kEnd,
   kGoto,
   kOutput,  ///< POPEN PCLOS FOPEN FCLOS BPRNT DPRNT
-  kNames    ///< SETVN
+  kNames,   ///< SETVN
+  kOwn      ///< a statement of the control's own language (IsoLanguage)
 };
 
 /// Reused from line to line; the views point into the program text.

@@ -196,6 +196,7 @@ struct IsoContext final : StageRecovery, AlarmCalls<IsoContext> {
   std::vector<DrillStep> drill_steps;
   std::vector<Vec2> hole_points;     ///< in the plane, program coordinates (Holes::listed)
   std::vector<PathStep> path_steps;  ///< see performSteps()
+  IsoLanguage* language = nullptr;   ///< that reads the lines; null: the family's own
   DataInput data_input = nullptr;    ///< set: blocks are data until G11
   OutputFile output;
   std::optional<InterruptedBlock> interrupted;  ///< while an interrupt macro runs

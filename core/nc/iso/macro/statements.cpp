@@ -112,6 +112,7 @@ Go IsoControl::statement() {
     case LineKind::kNames:
       return nameVariables(c) && endStatement(c, c.block.statement) ? Go::kOn : alarm();
     case LineKind::kBlock:
+    case LineKind::kOwn:
       break;
   }
   return execute();

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "core/nc/iso/model/codes.h"
+#include "core/nc/iso/model/language.h"
 #include "core/nc/iso/model/program_store.h"
 #include "core/nc/iso/model/system_calls.h"
 #include "core/nc/iso/parameters/parameter_table.h"
@@ -129,6 +130,9 @@ struct IsoDialect {
   bool (*tool)(IsoContext&, BlockPlan&, const Word&) = nullptr;
   /// The lines of a block that runs others (BlockPlan::lines) are done. Null: nothing is.
   bool (*lines_done)(IsoContext&) = nullptr;
+  /// Makes what reads the lines of a channel and carries out its statements. Null: lexer and macro language
+  /// of the family.
+  std::unique_ptr<IsoLanguage> (*language)(IsoContext&) = nullptr;
 };
 
 }  // namespace proveout::nc

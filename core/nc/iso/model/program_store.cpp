@@ -78,6 +78,17 @@ ProgramStore::Loaded ProgramStore::builtIn(const std::string& name, std::string_
   return loaded;
 }
 
+ProgramStore::Loaded ProgramStore::byStem(std::uint32_t caller, const std::string& stem) {
+  const std::string key = fmt::format("{}\n\n{}", caller, stem);  // no path begins so
+  if (const auto found = by_name_.find(key); found != by_name_.end()) return known(found->second);
+  SubprogramQuery query;
+  query.caller = texts_[caller]->path();
+  query.stems.push_back(stem);
+  Loaded loaded = load(source_.subprogram(query));
+  if (loaded.text != nullptr) by_name_[key] = loaded.file;
+  return loaded;
+}
+
 ProgramStore::Loaded ProgramStore::byPath(std::uint32_t caller, const std::string& path) {
   const std::string key = fmt::format("{}\n{}", caller, path);
   if (const auto found = by_name_.find(key); found != by_name_.end()) return known(found->second);

@@ -47,6 +47,8 @@ class ProgramStore {
   Loaded system(std::int64_t number, int channel);
   /// A program that is part of the control; `name` is its path too.
   Loaded builtIn(const std::string& name, std::string_view text);
+  /// A program by the name of its file without extension, as seen from file `caller`.
+  Loaded byStem(std::uint32_t caller, const std::string& stem);
   /// A file as the program names it, separators '/', relative to the caller.
   Loaded byPath(std::uint32_t caller, const std::string& path);
 

@@ -44,6 +44,8 @@ IsoControl::IsoControl(const IsoDialect& dialect, const ProgramSource& source,
       lexer_(lexRules(context_), dialect.alarms) {
   if (dialect.maker_data != nullptr) context_.maker = dialect.maker_data(context_);
   if (dialect.system_variables != nullptr) system_variables_ = dialect.system_variables(context_);
+  if (dialect.language != nullptr) language_ = dialect.language(context_);
+  context_.language = language_.get();
 }
 
 InterpretSummary IsoControl::run() {
@@ -132,14 +134,19 @@ bool IsoControl::opened() {
     c.variables.enter(frame.args);
   }
   // Where the call names the block to begin with, the program goes on from there.
-  if (frame.kind != CallKind::kLines && frame.first == 0) tape_.skipLeader(c, frame);
+  const bool whole = frame.kind != CallKind::kLines && frame.first == 0;
+  if (whole && language_ == nullptr) tape_.skipLeader(c, frame);
   return true;
 }
 
 void IsoControl::closed(const CallFrame& left) {
   IsoContext& c = context_;
   c.calls.left();
-  if (!left.call.again()) return c.leftCall(left.kind);
+  if (!left.call.again()) {
+    c.leftCall(left.kind);
+    if (language_) language_->left(left);
+    return;
+  }
   if (opensLocals(left.kind)) c.variables.leave();
 }
 
@@ -158,6 +165,7 @@ Go IsoControl::due() {
 }
 
 Reading IsoControl::read() {
+  if (language_) return readLanguage();
   IsoContext& c = context_;
   CallFrame& frame = run_.top();
   Block& block = c.block;
@@ -196,11 +204,14 @@ bool IsoControl::workOver() {
   if (!c.channels.empty()) return c.watch.movesOn(at);
   const auto state = {LoopWatch::bytesOf(c.state), LoopWatch::bytesOf(c.position),
                       LoopWatch::bytesOf(c.machine)};
-  const bool endless = c.state.tool_row == 0 && c.watch.goesRound(at, c.variables.fingerprint(), state);
+  const std::uint64_t variables =
+      c.variables.fingerprint() + (language_ ? language_->fingerprint() : std::uint64_t{0});
+  const bool endless = c.state.tool_row == 0 && c.watch.goesRound(at, variables, state);
   return endless || c.watch.goesOn(at);
 }
 
 Go IsoControl::carryOut() {
+  if (language_) return carryOutLanguage();
   IsoContext& c = context_;
   if (calls_macro_) return callMacro(macro_call_);
   if (c.block.kind != LineKind::kBlock) return statement();
@@ -214,6 +225,9 @@ Go IsoControl::endOfText() {
   if (c.calls.top().kind == CallKind::kLines)
     return c.dialect.lines_done == nullptr || c.dialect.lines_done(c) ? Go::kReturn : alarm();
   const SourceText& text = *c.calls.top().text;
+  if (language_) {
+    if (const std::optional<Go> go = language_->endOfText(*this)) return *go;
+  }
   if (lexer_.inComment()) {
     lexer_.setInComment(false);
     return commentLeftOpen(commentOpenAtEnd(text.lines(), 0));

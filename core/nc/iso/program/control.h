@@ -28,7 +28,7 @@
 namespace proveout::nc {
 
 /// The run loop of one channel: lines, header, program flow. What codes do is in the chapters' files.
-class IsoControl final : private FlowControl<CallFrame> {
+class IsoControl final : private FlowControl<CallFrame>, private StatementFlow {
  public:
   /// What is handed in must outlive the control.
   IsoControl(const IsoDialect& dialect, const ProgramSource& source, const ControlSettings& settings,
@@ -65,6 +65,15 @@ class IsoControl final : private FlowControl<CallFrame> {
   void tell(const char* what, const std::string& message) override { context_.fail(what, message); }
   const SourceText& text() const override { return *context_.calls.top().text; }
   std::size_t line() const override { return context_.calls.lineIndex(); }
+
+  // program/language.cpp: what statements of a control's own language ask
+  Go openCall(const CallFrame& frame, int times) override;
+  Go endRun(const std::string& code) override;
+  Go failed(bool nowhere) override;
+  void statementDone() override { run_.blockDone(); }
+  bool carryOutWords() override;
+  Reading readLanguage();
+  Go carryOutLanguage();
 
   bool loadMain();
   Go commentLeftOpen(const std::optional<OpenComment>& open);
@@ -129,6 +138,7 @@ class IsoControl final : private FlowControl<CallFrame> {
   ControlSettings settings_;
   IsoContext context_;
   std::unique_ptr<SystemVariables> system_variables_;
+  std::unique_ptr<IsoLanguage> language_;  ///< null: lexer and macro language of the family
   RunLoop<CallFrame> run_;
   Lexer lexer_;
   TapeFrames tape_;

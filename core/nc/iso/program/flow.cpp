@@ -50,7 +50,8 @@ Go IsoControl::flow(const FlowRequest& request) {
   const SourceText& text = *context_.calls.top().text;
   const bool returns = request.code == mcode::kReturn;
   // Behind M99 the text goes on wherever something jumps to; it may be asked very often.
-  if (!context_.dialect.lexing.comments_end_in_line && (!returns || lexer_.inComment())) {
+  const bool open_ended = !language_ && !context_.dialect.lexing.comments_end_in_line;
+  if (open_ended && (!returns || lexer_.inComment())) {
     if (const auto open = commentOpenAtEnd(text.lines(), context_.calls.lineIndex()))
       return commentLeftOpen(open);
   }

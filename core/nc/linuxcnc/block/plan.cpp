@@ -6,6 +6,7 @@
 #include "core/nc/iso/tools/tools.h"
 #include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+#include "core/nc/linuxcnc/text/lcn_unused.h"
 
 namespace proveout::nc {
 namespace {
@@ -220,8 +221,7 @@ bool lcnCheckWords(IsoContext& c, const BlockPlan& plan) {
   if (c.block.present.without(legal).empty()) return true;
   for (const Word& w : c.block.words) {
     if (legal.has(w.address)) continue;
-    const std::string letter(1, static_cast<char>(w.address));
-    return lcnFail(c, "unused-word", fmt::format("{} word with no code to use it", letter), &w);
+    return lcnFail(c, "unused-word", std::string(lcnUnusedWord(w.address)), &w);
   }
   return true;
 }

@@ -107,21 +107,8 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     modal(990, kGroupReturn, kSim, "lcn-3-G99", "cycles return to R"),
 });
 
-constexpr auto kLinuxCncMotionTableM = std::to_array<MCode>({
-    {0, MPhase::kStop, kFlowCodes, kState, {}, "lcn-5-M0", "stop"},
-    {1, MPhase::kStop, kFlowCodes, kState, {}, "lcn-5-M0", "optional stop"},
-    {2, MPhase::kEnd, kFlowCodes, kSim, {}, "lcn-5-M2", "end of program"},
-    {3, MPhase::kBefore, kSpindleCodes, kState, {}, "lcn-5-M3", "spindle clockwise"},
-    {4, MPhase::kBefore, kSpindleCodes, kState, {}, "lcn-5-M3", "spindle counter-clockwise"},
-    {5, MPhase::kBefore, kSpindleCodes, kState, {}, "lcn-5-M3", "spindle stop"},
-    {6, MPhase::kBefore, 0, kSim, {}, "lcn-5-M6", "tool change"},
-    {8, MPhase::kBefore, kCoolantCodes, kState, {}, "lcn-5-M7", "coolant on"},
-    {9, MPhase::kBefore, kCoolantCodes, kState, {}, "lcn-5-M7", "coolant off"},
-    {30, MPhase::kEnd, kFlowCodes, kSim, {}, "lcn-5-M2", "end of program"},
-});
-
 }  // namespace
 
-CodeTable linuxCncMotionTable() { return {kLinuxCncMotionTableG, kLinuxCncMotionTableM, {}}; }
+CodeTable linuxCncMotionTable() { return {kLinuxCncMotionTableG, {}, {}}; }
 
 }  // namespace proveout::nc

@@ -6,5 +6,6 @@
 namespace proveout::nc {
 
 CodeTable linuxCncMotionTable();
+CodeTable linuxCncFunctionTable();
 
 }  // namespace proveout::nc

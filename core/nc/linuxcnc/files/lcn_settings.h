@@ -1,0 +1,45 @@
+// What the files of a LinuxCNC machine and the job's texts make of the settings of a run.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/nc/control/control_row.h"
+#include "core/nc/control/control_settings.h"
+#include "core/nc/linuxcnc/files/lcn_ini.h"
+#include "core/nc/linuxcnc/files/lcn_tool_table.h"
+
+namespace proveout::nc {
+
+/// The settings of `[control.linuxcnc]` that are no numbers.
+std::span<const TextSetting> linuxCncTexts();
+
+/// A code that stands for a subroutine.
+struct LcnRemap {
+  std::string sub;      ///< name of its file without extension, small letters
+  bool python = false;  ///< it, or what runs before or behind it, is Python
+};
+
+/// What the files say beside the settings of the family.
+struct LcnMachine {
+  LcnIni ini;
+  std::vector<LcnTool> tools;
+  bool has_tools = false;                    ///< the job names a tool table
+  std::vector<std::pair<int, double>> kept;  ///< of the .var file, machine units
+  std::map<std::string, LcnRemap> remaps;    ///< by code: "M6", "G84.2"
+  std::map<std::string, double> inputs;      ///< answers of M66: "P0", "E1"
+  std::map<std::string, double> pins;        ///< #<_hal[pin]>, small letters
+  std::vector<std::string> startup;          ///< lines that run in front of the program
+  bool keeps_length = true;                  ///< features: the offset stays at M6
+  std::vector<std::string> faults;           ///< of the texts: "tool_table: line 3: .."
+};
+LcnMachine readLcnMachine(const ControlSettings& settings);
+
+/// The settings with what the INI file and `axes` say, where the job does not say it itself: units, axes,
+/// limits of travel, tolerance of arcs, lathe.
+ControlSettings withLcnMachine(const ControlSettings& settings);
+
+}  // namespace proveout::nc

@@ -1,0 +1,355 @@
+// O-words, M98 and M99: subs, branches and loops.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/nc/linuxcnc/program/lcn_language.h"
+
+namespace proveout::nc {
+namespace {
+
+constexpr std::size_t kLcnArguments = 30;
+
+std::string lcnCommand(const LcnOWords::Statement& s) {
+  return fmt::format("o{} {}", s.label, lcnKeywordName(s.keyword));
+}
+
+}  // namespace
+
+LcnOWords& LinuxCncLanguage::wordsOf(const SourceText& text) {
+  std::unique_ptr<LcnOWords>& words = o_words_[&text];
+  if (words == nullptr) words = std::make_unique<LcnOWords>(text.lines());
+  return *words;
+}
+
+/// An O-word that cannot be carried out leaves nowhere to go on.
+Go LinuxCncLanguage::oWordFails(StatementFlow& flow, const char* name, const std::string& message) {
+  c_.fail(name, message, line_.columnsOf(0, line_.text.size()));
+  return flow.failed(true);
+}
+
+Go LinuxCncLanguage::evaluationFails(StatementFlow& flow) {
+  c_.fail(fault_.name, fault_.message, line_.columnsOf(fault_.begin, fault_.end));
+  return flow.failed(true);
+}
+
+Go LinuxCncLanguage::seekingFails(StatementFlow& flow, const std::string& label) {
+  const SourceText& text = *c_.calls.top().text;
+  return oWordFails(flow, "missing-end",
+                    fmt::format("EOF in file:{} seeking o-word: o{} from line: {}", text.name(), label,
+                                c_.calls.lineIndex() + 1));
+}
+
+/// `[expression]` and then nothing. False: fault_ says why.
+bool LinuxCncLanguage::condition(LcnEvaluator& evaluator, std::size_t& pos, double& value) {
+  if (pos >= line_.text.size() || line_.text[pos] != '[') {
+    return fault("left-bracket",
+                 fmt::format("Left bracket missing after '{}'", lcnKeywordName(o_word_->keyword)), pos,
+                 pos + 1);
+  }
+  Value out;
+  evaluator.forget();
+  if (!evaluator.bracket(pos, out)) {
+    fault_ = evaluator.fault();
+    return false;
+  }
+  value = out.number;
+  return lineEnds(pos);
+}
+
+bool LinuxCncLanguage::lineEnds(std::size_t pos) {
+  return pos >= line_.text.size() ||
+         fault("o-word", "Unexpected character after O-word", pos, line_.text.size());
+}
+
+Go LinuxCncLanguage::oWord(StatementFlow& flow) {
+  const LcnOWords& words = wordsOf(*c_.calls.top().text);
+  switch (o_word_->keyword) {
+    case LcnKeyword::kUnknown:
+      return oWordFails(flow, "o-word", "Unknown control command in o word");
+    case LcnKeyword::kLabel:
+      return Go::kOn;
+    case LcnKeyword::kCall:
+      return callSub(flow);
+    case LcnKeyword::kEndSub:
+    case LcnKeyword::kReturn:
+      return returnValue(flow);
+    default:
+      break;
+  }
+  const std::size_t index = words.on(c_.calls.lineIndex());
+  if (index == LcnOWords::kNone) return oWordFails(flow, "o-word", "this O-word cannot be carried out");
+  const LcnOWords::Statement& s = words.at(index);
+  if (s.clash != LcnOWords::kNone && s.keyword != LcnKeyword::kSub) {
+    return oWordFails(flow, "duplicate-label",
+                      fmt::format("duplicate O-word label - already defined in line {}: '{}'",
+                                  words.at(s.clash).line + 1, lcnCommand(s)));
+  }
+  switch (s.keyword) {
+    case LcnKeyword::kSub:
+      return defineSub(words, index, flow);
+    case LcnKeyword::kIf:
+    case LcnKeyword::kElseIf:
+    case LcnKeyword::kElse:
+    case LcnKeyword::kEndIf:
+      return branch(words, index, flow);
+    case LcnKeyword::kBreak:
+    case LcnKeyword::kContinue:
+      return leaveLoop(words, index, flow);
+    default:
+      return loop(words, index, flow);
+  }
+}
+
+/// Goes on behind a statement of the program in hand. False: it lies outside of it.
+bool LinuxCncLanguage::jumpBehind(const LcnOWords& words, std::size_t statement) {
+  CallFrame& frame = c_.calls.top();
+  const std::size_t line = words.at(statement).line;
+  if (line < frame.first || line >= frame.end) return false;
+  frame.next = line + 1;
+  return true;
+}
+
+/// A sub that the program comes upon is passed over.
+Go LinuxCncLanguage::defineSub(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
+  const LcnOWords::Statement& s = words.at(index);
+  if (s.clash != LcnOWords::kNone) {
+    const LcnOWords::Statement& other = words.at(s.clash);
+    if (other.label != s.label) return oWordFails(flow, "nested-sub", "Nested subroutine definition");
+    return oWordFails(flow, "redefined",
+                      fmt::format("redefining sub: o{} already defined in line {}", s.label, other.line + 1));
+  }
+  if (s.partner == LcnOWords::kNone || !jumpBehind(words, s.partner)) return seekingFails(flow, s.label);
+  return Go::kOn;
+}
+
+Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
+  const LcnOWords::Statement& s = words.at(index);
+  const bool sought = std::exchange(seeking_, false);
+  if (s.keyword != LcnKeyword::kIf && s.head == LcnOWords::kNone)
+    return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
+  std::size_t pos = o_word_->behind;
+  const bool asks = s.keyword == LcnKeyword::kIf || (s.keyword == LcnKeyword::kElseIf && sought);
+  if (!asks && s.keyword != LcnKeyword::kElseIf && !lineEnds(pos)) return evaluationFails(flow);
+  if (s.keyword == LcnKeyword::kEndIf) return Go::kOn;
+  if (s.keyword == LcnKeyword::kElse && sought) return Go::kOn;
+  if (asks) {
+    LcnEvaluator evaluator(line_.text, *this);
+    double value = 0.0;
+    if (!condition(evaluator, pos, value)) return evaluationFails(flow);
+    c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
+    if (value != 0.0) {
+      if (s.partner == LcnOWords::kNone) {
+        c_.warnOnce(fmt::format("open {} {}", c_.calls.top().file, s.line), "missing-endif",
+                    fmt::format("o{} endif is missing: the control does not see it while the condition holds",
+                                s.label));
+      }
+      return Go::kOn;
+    }
+  }
+  // On to the next branch, or behind all of them.
+  std::size_t next = s.partner;
+  if (!asks) {
+    while (next != LcnOWords::kNone && words.at(next).keyword != LcnKeyword::kEndIf)
+      next = words.at(next).partner;
+  }
+  if (next == LcnOWords::kNone || !jumpBehind(words, next)) return seekingFails(flow, s.label);
+  if (words.at(next).keyword == LcnKeyword::kElseIf) {
+    c_.calls.top().next = words.at(next).line;
+    seeking_ = true;
+  }
+  return Go::kOn;
+}
+
+Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
+  const LcnOWords::Statement& s = words.at(index);
+  const LcnKeyword keyword = s.keyword;
+  const bool ends = keyword == LcnKeyword::kEndWhile || keyword == LcnKeyword::kEndRepeat;
+  if (s.partner == LcnOWords::kNone) {
+    if (ends)
+      return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
+    return seekingFails(flow, s.label);
+  }
+  CallFrame& frame = c_.calls.top();
+  std::size_t pos = o_word_->behind;
+  const bool asks = keyword == LcnKeyword::kWhile || keyword == LcnKeyword::kRepeat;
+  double value = 0.0;
+  LcnEvaluator evaluator(line_.text, *this);
+  if (asks ? !condition(evaluator, pos, value) : !lineEnds(pos)) return evaluationFails(flow);
+  if (keyword == LcnKeyword::kWhile)
+    c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
+  switch (keyword) {
+    case LcnKeyword::kDo:
+      return Go::kOn;
+    case LcnKeyword::kWhile:
+      if (s.closes_do ? value == 0.0 : value != 0.0) return Go::kOn;
+      return jumpBehind(words, s.partner) ? Go::kOn : seekingFails(flow, s.label);
+    case LcnKeyword::kEndWhile:
+      frame.next = words.at(s.partner).line;
+      return Go::kOn;
+    case LcnKeyword::kRepeat: {
+      const auto rounds = static_cast<std::int64_t>(std::clamp(value, 0.0, 1e9));
+      if (rounds == 0) return jumpBehind(words, s.partner) ? Go::kOn : seekingFails(flow, s.label);
+      std::erase_if(repeats_, [&](const Repeat& r) { return r.run == frame.run && r.line == s.line; });
+      repeats_.push_back({frame.run, s.line, rounds});
+      return Go::kOn;
+    }
+    default:
+      break;
+  }
+  const std::size_t head = words.at(s.partner).line;  // endrepeat
+  const auto found = std::find_if(repeats_.begin(), repeats_.end(),
+                                  [&](const Repeat& r) { return r.run == frame.run && r.line == head; });
+  if (found == repeats_.end()) return Go::kOn;
+  c_.watch.budget().asked(conditionAt(c_.block.text.data()), static_cast<double>(found->left),
+                          found->left > 1);
+  if (--found->left > 0) {
+    frame.next = head + 1;
+  } else {
+    repeats_.erase(found);
+  }
+  return Go::kOn;
+}
+
+/// break and continue.
+Go LinuxCncLanguage::leaveLoop(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
+  const LcnOWords::Statement& s = words.at(index);
+  if (s.head == LcnOWords::kNone)
+    return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
+  const LcnOWords::Statement& head = words.at(s.head);
+  if (head.keyword != LcnKeyword::kWhile && head.keyword != LcnKeyword::kDo) {
+    return oWordFails(flow, "no-loop",
+                      fmt::format("no matching while/do label: '{}' (found '{}' in line {})", lcnCommand(s),
+                                  lcnKeywordName(head.keyword), head.line + 1));
+  }
+  if (!lineEnds(o_word_->behind)) return evaluationFails(flow);
+  if (head.partner == LcnOWords::kNone || !jumpBehind(words, head.partner))
+    return seekingFails(flow, s.label);
+  if (s.keyword == LcnKeyword::kContinue)
+    c_.calls.top().next = head.keyword == LcnKeyword::kWhile ? head.line : words.at(head.partner).line;
+  return Go::kOn;
+}
+
+/// endsub and return, with a value.
+Go LinuxCncLanguage::returnValue(StatementFlow& flow) {
+  const bool by_call = !open_.empty() && open_.back().sub;
+  if (!by_call) {
+    return oWordFails(flow, "no-sub",
+                      fmt::format("not in a subroutine definition: 'o{} {}'", lcnLabel(o_word_->label),
+                                  lcnKeywordName(o_word_->keyword)));
+  }
+  std::size_t pos = o_word_->behind;
+  Value value;
+  const bool any = pos < line_.text.size() && line_.text[pos] == '[';
+  if (any) {
+    LcnEvaluator evaluator(line_.text, *this);
+    if (!evaluator.bracket(pos, value)) {
+      fault_ = evaluator.fault();
+      return evaluationFails(flow);
+    }
+  }
+  if (!lineEnds(pos)) return evaluationFails(flow);
+  if (!restoreAtReturn(flow)) return flow.failed(true);
+  run_.value = any ? value.number : 0.0;
+  run_.value_returned = any;
+  flow.statementDone();
+  return Go::kReturn;
+}
+
+Go LinuxCncLanguage::callSub(StatementFlow& flow) {
+  LcnEvaluator evaluator(line_.text, *this);
+  std::size_t pos = o_word_->behind;
+  std::vector<Value> arguments;
+  while (pos < line_.text.size() && line_.text[pos] == '[') {
+    if (arguments.size() == kLcnArguments)
+      return oWordFails(flow, "arguments", "a sub takes 30 arguments at most");
+    Value value;
+    evaluator.forget();
+    if (!evaluator.bracket(pos, value)) {
+      fault_ = evaluator.fault();
+      return evaluationFails(flow);
+    }
+    value.origin = 0;
+    arguments.push_back(value);
+  }
+  std::string label = lcnLabel(o_word_->label);
+  if (o_word_->computed) {
+    std::size_t at = o_word_->label_at;
+    Value value;
+    std::int64_t number = 0;
+    const bool good = evaluator.value(at, value);
+    if (!good || !lcnInteger(value.number, number)) {
+      if (good) fault("integer", "Non integer value for integer", o_word_->label_at, at);
+      if (!good) fault_ = evaluator.fault();
+      return evaluationFails(flow);
+    }
+    label = fmt::format("{}", number);
+  }
+  if (!lineEnds(pos)) return evaluationFails(flow);
+  if (c_.calls.depth() >= kLcnLevels) return oWordFails(flow, "levels", "Too many subroutine levels");
+  CallFrame frame;
+  if (!findProgram(label, true, frame)) return seekingFails(flow, label);
+  flow.statementDone();
+  variables_.enter(arguments);
+  open_.push_back({true});
+  return flow.openCall(frame, 1);
+}
+
+/// The program of a label: in the text in hand, in the main program, or in a file of its name.
+bool LinuxCncLanguage::findProgram(const std::string& label, bool sub, CallFrame& frame) {
+  const auto in = [&](SourceText& text, std::uint32_t file) {
+    const LcnOWords& words = wordsOf(text);
+    const std::size_t found = sub ? words.sub(label) : words.label(label);
+    if (found == LcnOWords::kNone) return false;
+    const LcnOWords::Statement& s = words.at(found);
+    frame.setProgram(text, file);
+    frame.first = std::min(s.line + 1, frame.end);
+    if (sub && s.partner != LcnOWords::kNone) frame.end = words.at(s.partner).line + 1;
+    frame.kind = CallKind::kSubprogram;
+    return true;
+  };
+  const CallFrame& top = c_.calls.top();
+  if (in(*top.text, top.file)) return true;
+  const CallFrame& main = c_.calls.main();
+  if (main.text != top.text && in(*main.text, main.file)) return true;
+  const std::string stem = label.starts_with('<') ? label.substr(1, label.size() - 2) : label;
+  const ProgramStore::Loaded loaded = c_.programs.byStem(top.file, stem);
+  return loaded.text != nullptr && in(*loaded.text, loaded.file);
+}
+
+Go LinuxCncLanguage::callNumbered(StatementFlow& flow) {
+  const auto word = [&](Address a) { return c_.block.find(a); };
+  std::int64_t number = 0, times = 1;
+  const Word* const p = word('P');
+  const Word* const l = word('L');
+  if (p == nullptr) return oWordFails(flow, "missing-word", "Found 'm98' code with no P-word");
+  if (!lcnInteger(p->value, number) || (l != nullptr && !lcnInteger(l->value, times)))
+    return oWordFails(flow, "integer", "Non integer value for integer");
+  if (times < 0) return oWordFails(flow, "negative-word", "Negative l word used");
+  if (c_.calls.depth() >= kLcnLevels) return oWordFails(flow, "levels", "Too many subroutine levels");
+  CallFrame frame;
+  const std::string label = fmt::format("{}", number);
+  if (!findProgram(label, false, frame)) return seekingFails(flow, label);
+  flow.statementDone();
+  if (times == 0) return Go::kOn;
+  frame.total = times;
+  open_.push_back({false});
+  return flow.openCall(frame, static_cast<int>(times));
+}
+
+Go LinuxCncLanguage::returnNumbered(StatementFlow& flow) {
+  flow.statementDone();
+  if (open_.empty()) {
+    c_.warn("main-m99", "M99 in the main program starts it again: one pass is simulated", {},
+            Severity::kNote);
+    return flow.endRun("M99");
+  }
+  if (open_.back().sub) {
+    return oWordFails(flow, "no-sub",
+                      "'O.... endsub' or 'O.... return' must follow 'O.... sub' subroutine definition");
+  }
+  return restoreAtReturn(flow) ? Go::kReturn : flow.failed(true);
+}
+
+}  // namespace proveout::nc
