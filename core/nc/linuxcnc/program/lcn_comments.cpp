@@ -2,6 +2,8 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <cmath>
+#include <string>
 
 #include "core/base/characters.h"
 #include "core/nc/iso/context/sends.h"
@@ -19,6 +21,14 @@ bool lcnStartsWith(std::string_view text, std::string_view word) {
   for (std::size_t k = 0; k < word.size(); ++k)
     if (upper(text[k]) != upper(word[k])) return false;
   return true;
+}
+
+/// A value as the interpreter prints it: small ones as 0, and none that takes more than 31 characters.
+std::string lcnShown(double value) {
+  constexpr double kSmall = 1e-4;
+  constexpr std::size_t kMostCharacters = 31;
+  std::string text = fmt::format("{:.6f}", std::abs(value) < kSmall ? 0.0 : value);
+  return text.size() > kMostCharacters ? "######" : text;
 }
 
 }  // namespace
@@ -61,7 +71,7 @@ std::string LinuxCncLanguage::withValues(std::string_view text) {
     LcnEvaluator evaluator(asked, *this);
     Value value;
     std::size_t pos = 0;
-    out += evaluator.value(pos, value) ? fmt::format("{:.6f}", value.number) : "######";
+    out += evaluator.value(pos, value) ? lcnShown(value.number) : "######";
     i = end;
   }
   return out;
