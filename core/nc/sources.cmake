@@ -145,6 +145,7 @@ target_sources(proveout_core PRIVATE
   nc/iso/motion/curve.cpp
   nc/iso/motion/diameter.cpp
   nc/iso/motion/feed.cpp
+  nc/iso/motion/held_way.cpp
   nc/iso/motion/measuring.cpp
   nc/iso/motion/motion.cpp
   nc/iso/motion/planes.cpp

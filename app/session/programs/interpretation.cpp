@@ -99,6 +99,7 @@ ControlSettings controlSettings(const Job& job, const Box3& blank) {
   ControlSettings settings = job.settings;
   for (const Tool& tool : job.tools) {
     if (tool.gauge_length != 0.0) settings.gauge_lengths[tool.number] = tool.gauge_length;
+    if (!tool.insert && tool.diameter > 0.0) settings.tool_radii[tool.number] = 0.5 * tool.diameter;
     if (tool.insert) settings.inserts[tool.number] = {noseCenter(*tool.insert), tool.insert->gauge};
   }
   placeMachine(job, blank, settings);
@@ -118,6 +119,7 @@ std::vector<ControlSettings> channelSettings(const Job& job, const ControlSettin
     own.start_by_default = settings.start_by_default && !job.channels[k].start;
     own.gauge_lengths = settings.gauge_lengths;
     own.inserts = settings.inserts;
+    own.tool_radii = settings.tool_radii;
     own.unnamed_gauge = settings.unnamed_gauge;
     own.tool_change = placeInChannel(settings, own);
     own.max_errors = settings.max_errors;

@@ -151,6 +151,7 @@ struct ControlSettings {
   std::map<int, OffsetValue> length_offsets;  ///< H rows, mm
   std::map<int, OffsetValue> radius_offsets;  ///< D rows, mm (radius)
   std::map<int, double> gauge_lengths;        ///< by tool number, mm; 0 for tools not listed
+  std::map<int, double> tool_radii;           ///< of milling cutters by tool number, mm
   std::map<int, InsertMount> inserts;         ///< by tool number
   Vec3 unnamed_gauge = Vec3::Zero();          ///< of what is in the spindle at power-on where `tool` is 0, mm
 

@@ -7,6 +7,7 @@
 #include "core/nc/fanuc/block/plan.h"
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/frames/frames.h"
 #include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/lathe/lathe_hooks.h"
 #include "core/nc/fanuc/macro/macro_rules.h"
@@ -15,6 +16,7 @@
 #include "core/nc/fanuc/system_variables/fanuc_banks.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/fanuc/text/decimal.h"
+#include "core/nc/fanuc/tools/offsets.h"
 
 namespace proveout::nc {
 namespace {
@@ -43,6 +45,10 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
   rules.probe_in_transforms = true;
   rules.loose_arcs = true;
   rules.short_radius_is_half = true;
+  rules.holds_length = true;
+  rules.scales_centres = true;
+  rules.local_shift_absolute = true;
+  rules.extended_systems = 300;
   IsoDialect dialect{
       .name = name,
       .alarms = fanucAlarms(),
@@ -60,6 +66,11 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
       .end_shifts = fanucEndShifts,
       .begin = fanucBegin,
       .power_on = fanucPowerOn,
+      .offsets = fanucOffsets,
+      .usual_systems = fanucWorkSystem,
+      .transforms_off = fanucTransformsOff,
+      .length_axes = fanucLengthAxes,
+      .compensation = fanucCompensation,
   };
   takeMacroRules(dialect, name == "fanuc-lathe");
   return dialect;
@@ -97,13 +108,13 @@ bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
 
 const CodeIndex& fanucMillCodes() {
   static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
-                                 fanucTransformsTable(), fanucMacroTable()});
+                                 fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()});
   return kIndex;
 }
 
 const CodeIndex& haasMillCodes() {
   static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
-                                 fanucTransformsTable(), fanucMacroTable()},
+                                 fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
                                 {haasMillTable()});
   return kIndex;
 }
@@ -112,9 +123,9 @@ const CodeIndex& fanucLatheCodes(GCodeSystem system, bool haas) {
   const auto make = [](GCodeSystem of, bool of_haas) {
     std::vector<CodeTable> own{fanucLatheTable(), fanucLatheSystemTable(of)};
     if (of_haas) own.push_back(haasLatheTable());
-    return CodeIndex(
-        {fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(), fanucMacroTable()},
-        std::move(own), notInSystem(of));
+    return CodeIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(),
+                      fanucRotaryTable(), fanucMacroTable()},
+                     std::move(own), notInSystem(of));
   };
   static const std::array<std::array<CodeIndex, 2>, 3> kCodes = {{
       {make(GCodeSystem::kA, false), make(GCodeSystem::kA, true)},

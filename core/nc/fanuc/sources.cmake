@@ -3,14 +3,6 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/dialect.cpp
   nc/fanuc/fanuc_row.cpp
   nc/fanuc/formulas.cpp
-  nc/fanuc/macro/arguments.cpp
-  nc/fanuc/macro/macro_functions.cpp
-  nc/fanuc/macro/macro_rules.cpp
-  nc/fanuc/macro/subprograms.cpp
-  nc/fanuc/parameters/macro_rows.cpp
-  nc/fanuc/system_variables/common_bank.cpp
-  nc/fanuc/system_variables/fanuc_banks.cpp
-  nc/fanuc/system_variables/offset_numbers.cpp
   nc/fanuc/block/plan.cpp
   nc/fanuc/coverage/rows.cpp
   nc/fanuc/coverage/rows_cycles.cpp
@@ -19,6 +11,11 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/coverage/rows_macro.cpp
   nc/fanuc/coverage/rows_text.cpp
   nc/fanuc/cycles/fanuc_cycles.cpp
+  nc/fanuc/frames/data_blocks.cpp
+  nc/fanuc/frames/data_input.cpp
+  nc/fanuc/frames/tilted_plane.cpp
+  nc/fanuc/frames/transforms.cpp
+  nc/fanuc/frames/work_frames.cpp
   nc/fanuc/haas/haas_codes.cpp
   nc/fanuc/haas/haas_engraving.cpp
   nc/fanuc/haas/haas_patterns.cpp
@@ -39,6 +36,10 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/lathe/thread_cycle.cpp
   nc/fanuc/lathe/thread_depths.cpp
   nc/fanuc/lathe/threads.cpp
+  nc/fanuc/macro/arguments.cpp
+  nc/fanuc/macro/macro_functions.cpp
+  nc/fanuc/macro/macro_rules.cpp
+  nc/fanuc/macro/subprograms.cpp
   nc/fanuc/motion/accepted.cpp
   nc/fanuc/motion/arcs.cpp
   nc/fanuc/motion/curves.cpp
@@ -47,6 +48,10 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/motion/virtual_planes.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
   nc/fanuc/parameters/lathe_rows.cpp
+  nc/fanuc/parameters/macro_rows.cpp
+  nc/fanuc/system_variables/common_bank.cpp
+  nc/fanuc/system_variables/fanuc_banks.cpp
+  nc/fanuc/system_variables/offset_numbers.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp
   nc/fanuc/tables/frames.cpp
@@ -54,5 +59,9 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/tables/lathe.cpp
   nc/fanuc/tables/macro.cpp
   nc/fanuc/tables/motion.cpp
+  nc/fanuc/tables/rotary.cpp
   nc/fanuc/tables/transforms.cpp
-  nc/fanuc/text/decimal.cpp)
+  nc/fanuc/text/decimal.cpp
+  nc/fanuc/tools/offset_input.cpp
+  nc/fanuc/tools/offsets.cpp
+  nc/fanuc/tools/position_offset.cpp)

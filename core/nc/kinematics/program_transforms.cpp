@@ -1,6 +1,7 @@
 #include "core/nc/kinematics/program_transforms.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
@@ -38,13 +39,28 @@ void apply(ProgramMap& map, const AxisSteps& steps) {
 
 bool rotatesMainAxes(const Transforms& t) { return t.rotation_u < kMainAxes && t.rotation_v < kMainAxes; }
 
+/// The centre of the rotation in coordinates behind what was applied before it.
+Vec2 pivotOf(const Transforms& t) {
+  Vec2 pivot = t.pivot;
+  if (!t.pivot_is_scaled || !t.scales) return pivot;
+  const auto scaled = [&](double& value, int axis) {
+    if (axis >= kMainAxes && !t.scales_further) return;
+    const double factor = std::abs(t.factors[axis < kMainAxes ? axis : 0]);
+    value = t.scale_center[axis] + factor * (value - t.scale_center[axis]);
+  };
+  scaled(pivot.x(), t.rotation_u);
+  scaled(pivot.y(), t.rotation_v);
+  return pivot;
+}
+
 void rotate(const Transforms& t, ProgramMap& map) {
+  const Vec2 centre = pivotOf(t);
   const auto [sine, cosine] = sinCosDegrees(t.angle_deg);
   if (!rotatesMainAxes(t)) {
     Eigen::Matrix2d turn;
     turn << cosine, -sine, sine, cosine;
     map.pair.linear = turn * map.pair.linear;
-    map.pair.offset = turn * (map.pair.offset - t.pivot) + t.pivot;
+    map.pair.offset = turn * (map.pair.offset - centre) + centre;
     return;
   }
   const int u = t.rotation_u, v = t.rotation_v;
@@ -53,8 +69,8 @@ void rotate(const Transforms& t, ProgramMap& map) {
   linear(u, v) = -sine;
   linear(v, u) = sine;
   Vec3 pivot = Vec3::Zero();
-  pivot[u] = t.pivot.x();
-  pivot[v] = t.pivot.y();
+  pivot[u] = centre.x();
+  pivot[v] = centre.y();
   apply(map, linear, pivot - linear * pivot);
 }
 
@@ -64,7 +80,8 @@ void scale(const Transforms& t, const AxisTable& axes, ProgramMap& map) {
     const bool further = axis >= kMainAxes;
     if (further && (!t.scales_further || axis >= axes.count())) continue;
     if (further && axes.at(axis).rotary() && axis != t.virtual_axis) continue;
-    const double factor = further ? t.factors.x() : t.factors[axis];
+    const double told = further ? t.factors.x() : t.factors[axis];
+    const double factor = t.mirrors_last ? std::abs(told) : told;
     PROVEOUT_ASSERT(factor != 0.0);  // a map that has an inverse
     steps.factor[static_cast<std::size_t>(axis)] = factor;
     steps.shift[static_cast<std::size_t>(axis)] = (1.0 - factor) * t.scale_center[axis];
@@ -81,6 +98,19 @@ void mirror(const Transforms& t, ProgramMap& map) {
     steps.shift[static_cast<std::size_t>(axis)] = 2.0 * t.mirror[axis];
   }
   apply(map, steps);
+}
+
+/// Negative factors where they mirror about the centre of scaling, outside of the rotation.
+void mirrorByFactors(const Transforms& t, ProgramMap& map) {
+  AxisSteps steps;
+  bool any = false;
+  for (int axis = 0; axis < kMainAxes; ++axis) {
+    if (t.factors[axis] > 0.0) continue;
+    any = true;
+    steps.factor[static_cast<std::size_t>(axis)] = -1.0;
+    steps.shift[static_cast<std::size_t>(axis)] = 2.0 * t.scale_center[axis];
+  }
+  if (any) apply(map, steps);
 }
 
 double factorOf(const ProgramMap& map, int axis) {
@@ -101,6 +131,7 @@ ProgramMap programMap(const Transforms& t, const AxisTable& axes) {
   if (t.rotates && t.rotation_inside) rotate(t, map);
   if (t.scales) scale(t, axes, map);
   if (t.rotates && !t.rotation_inside) rotate(t, map);
+  if (t.scales && t.mirrors_last) mirrorByFactors(t, map);
   if (t.mirrored.any()) mirror(t, map);
   return map;
 }
@@ -137,6 +168,10 @@ double ProgramMap::sense(const WorkPlane& p) const {
 
 double ProgramMap::radiusFactor(const WorkPlane& plane) const {
   return identity ? 1.0 : std::abs(factorOf(*this, plane.u));
+}
+
+double ProgramMap::largestFactor(const WorkPlane& plane) const {
+  return identity ? 1.0 : std::max(std::abs(factorOf(*this, plane.u)), std::abs(factorOf(*this, plane.v)));
 }
 
 double ProgramMap::joinFactor(const WorkPlane& plane) const {

@@ -22,14 +22,19 @@ struct Transforms {
   std::int8_t rotation_u = 0, rotation_v = 1;  ///< axes of the plane that is rotated
   Vec2 pivot = Vec2::Zero();                   ///< (u, v) of that plane
   double angle_deg = 0.0;                      ///< > 0 from u to v
+  bool pivot_is_scaled = false;  ///< the pivot is a programmed point: scaling takes it along, and comes first
 
   bool scales = false;
   bool scales_further = false;    ///< linear axes besides X Y Z take the factor of X
   std::int8_t virtual_axis = -1;  ///< a rotary axis that counts in mm takes it too; -1: none
   AxisPoint scale_center;
   Vec3 factors = Vec3::Ones();  ///< of X Y Z; negative ones mirror, none is 0
+  bool mirrors_last = false;    ///< negative factors mirror about the centre outside of the rotation
 
   bool rotation_inside = false;  ///< where both are on
+  /// For controls that tell who ends them out of turn: what is on, in the order in which it came.
+  enum class Kind : std::int8_t { kNone, kMirror, kScaling, kRotation };
+  std::array<Kind, 3> nested{};
 
   bool any() const { return rotates || scales || mirrored.any(); }
 };
@@ -59,6 +64,8 @@ struct ProgramMap {
   double sense(const WorkPlane& plane) const;
   /// Factor of radii that the map itself leaves circles: that of the first axis of the plane.
   double radiusFactor(const WorkPlane& plane) const;
+  /// The larger of the factors of the plane's axes.
+  double largestFactor(const WorkPlane& plane) const;
   /// Factor of chamfers and roundings: the mean of the plane's axes.
   double joinFactor(const WorkPlane& plane) const;
   /// Circles of the plane become ellipses: arcs have to be made anew.

@@ -18,7 +18,26 @@ void CutterComp::reset(const Vec3& position) {
   programmed_ = center_ = position;
 }
 
-void CutterComp::rebase(const Vec3& position) { programmed_ = center_ = position; }
+void CutterComp::rebase(const Vec3& position) {
+  center_ = policy_.keeps_vector ? Vec3(position + center_ - programmed_) : position;
+  programmed_ = position;
+}
+
+void CutterComp::forgetVector() {
+  if (!policy_.keeps_vector) return;
+  center_ = programmed_;
+  starts_anew_ = active_;
+}
+
+void CutterComp::idle() {
+  if (policy_.most_idle <= 0 || !active_ || elements_.empty()) return;
+  Element& last = elements_.back();
+  if (++idle_run_ > policy_.most_idle && !last.corner) last.square_end = true;
+}
+
+bool CutterComp::displaced() const {
+  return policy_.cancel_waits && !active_ && (planar(center_) - planar(programmed_)).norm() > kTinyLength;
+}
 
 CompStatus CutterComp::checkBlock(const CompBlock& block) const {
   const auto fail = [&](CompError error) { return CompStatus{error, block.tag, block.tag}; };
@@ -26,7 +45,9 @@ CompStatus CutterComp::checkBlock(const CompBlock& block) const {
                       std::isfinite(block.offset) && (!block.direction || block.direction->allFinite());
   if (!finite) return fail(CompError::kNotFinite);
   if (block.shape == Shape::kArc) {
-    if (!active_ && block.active && !policy_.switch_in_arc) return fail(CompError::kStartInArc);
+    const bool starts = (!active_ || starts_anew_) && block.active;
+    if (starts && !policy_.switch_in_arc) return fail(CompError::kStartInArc);
+    if (!block.active && displaced()) return fail(CompError::kCancelInArc);
     if (active_ && !block.active && !policy_.switch_in_arc) return fail(CompError::kCancelInArc);
     const double smallest =
         std::min((planar(programmed_) - block.center).norm(), (planar(block.to) - block.center).norm());
@@ -40,19 +61,44 @@ CompStatus CutterComp::checkBlock(const CompBlock& block) const {
 
 CompStatus CutterComp::push(const CompBlock& block, CompOutput& out) {
   if (const CompStatus status = checkBlock(block); !status.ok()) return status;
-  if (!active_ && !block.active) return uncompensated(block, out);
-  if (block.shape == Shape::kNone && block.active) return passThrough(block, out);
+  if (!active_ && (!block.active || startWaits(block))) return uncompensated(block, out);
+  if (!block.active && block.shape == Shape::kNone && policy_.cancel_waits) return leave(block, out);
+  if (block.active && (block.shape == Shape::kNone || standsStill(block))) return passThrough(block, out);
   elements_.push_back(makeElement(block));
   if (block.shape == Shape::kNone) elements_.back().after.push_back({block.to.z(), block.tag});
   const bool cancel = !block.active;
   active_ = block.active;
-  start_pending_ = false;
+  start_pending_ = starts_anew_ = false;
+  idle_run_ = 0;
   last_offset_ = block.offset;
   last_motion_tag_ = block.tag;
   pass_through_run_ = 0;
   programmed_ = elements_.back().p1;
   if (block.shape == Shape::kNone) programmed_.z() = block.to.z();
   return process(cancel, out);
+}
+
+/// Plane words without a way are no motion where blocks without one count.
+bool CutterComp::standsStill(const CompBlock& block) const {
+  return policy_.most_idle > 0 && active_ && block.shape == Shape::kLine &&
+         (planar(block.to) - planar(programmed_)).norm() <= kTinyLength;
+}
+
+/// Compensation that is switched on without a motion may wait for the next one.
+bool CutterComp::startWaits(const CompBlock& block) const {
+  if (!policy_.start_waits || block.shape == Shape::kArc) return false;
+  return block.shape == Shape::kNone || (planar(block.to) - planar(programmed_)).norm() <= kTinyLength;
+}
+
+/// Compensation ends without a motion: the tool stays on the offset of the last element.
+CompStatus CutterComp::leave(const CompBlock& block, CompOutput& out) {
+  if (!elements_.empty() && !elements_.back().corner) elements_.back().square_end = true;
+  if (const CompStatus status = process(true, out); !status.ok()) return status;
+  active_ = start_pending_ = starts_anew_ = false;
+  pass_through_run_ = idle_run_ = 0;
+  emitPassThrough({block.to.z(), block.tag}, out);
+  programmed_.z() = block.to.z();
+  return {};
 }
 
 CompStatus CutterComp::uncompensated(const CompBlock& block, CompOutput& out) {
@@ -84,7 +130,7 @@ CompStatus CutterComp::passThrough(const CompBlock& block, CompOutput& out) {
   if (pass_through_run_ > policy_.max_pass_through) {
     return {CompError::kBufferFull, last_motion_tag_, last_motion_tag_};
   }
-  if (pass_through_run_ == policy_.extra_look_ahead + 3) {
+  if (policy_.most_idle == 0 && pass_through_run_ == policy_.extra_look_ahead + 3) {
     out.notes.push_back({CompWarning::kManyPassThrough, last_motion_tag_});
   }
   elements_.back().after.push_back({block.to.z(), block.tag});
@@ -116,7 +162,7 @@ CutterComp::Element CutterComp::makeElement(const CompBlock& block) const {
   e.rho_end = block.offset;
   if (!block.active) {
     e.phase = ElementPhase::kCancel;
-  } else if (!active_ || (zero && (start_pending_ || start_left_over))) {
+  } else if (!active_ || starts_anew_ || (zero && (start_pending_ || start_left_over))) {
     e.phase = ElementPhase::kStartUp;
   }
   e.perpendicular_start = start_pending_ && block.active && !zero;
@@ -127,7 +173,9 @@ CutterComp::Element CutterComp::makeElement(const CompBlock& block) const {
 }
 
 CompStatus CutterComp::flush(CompOutput& out) {
-  pass_through_run_ = 0;
+  pass_through_run_ = idle_run_ = 0;
+  if (policy_.flush_square && !elements_.empty() && !elements_.back().corner)
+    elements_.back().square_end = true;
   return process(true, out);
 }
 

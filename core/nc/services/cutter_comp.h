@@ -62,6 +62,17 @@ struct CutterCompPolicy {
   double rounding_tolerance = 0.002;
   double min_step = 0.001;     ///< mm, neighbouring corner points closer than this in u and v are merged
   int max_pass_through = 100;  ///< blocks without plane motion in a row
+
+  // Rules of other controls than nct.
+  bool start_waits = false;   ///< switched on in a block without plane motion, the next motion is the way in
+  bool cancel_waits = false;  ///< switched off without plane words, the next motion is the way out
+  int most_idle = 0;  ///< blocks without plane motion (idle()) that a corner is looked for beyond; 0: any
+  bool flush_square = false;  ///< flush() ends the last element square on its offset
+  bool keeps_vector = false;  ///< rebase() moves the tool centre along, see forgetVector()
+  bool contour_check = true;  ///< corners that would cut into what follows are mended where that is rounding
+  bool chord_check = true;    ///< ways over several blocks may not run against the programmed ones
+  bool arc_needs_room = false;      ///< an arc inside with the radius of the cutter is interference too
+  bool square_side_change = false;  ///< a change of side without intersection goes from square to square
 };
 
 /// One programmed block.
@@ -151,6 +162,7 @@ struct Element {
   bool keep_vector = false;
   bool perpendicular_start = false;  ///< first element after a start without plane words
   bool pivot = false;                ///< the cutter touches nothing of it but its start point
+  bool square_end = false;           ///< it ends square on its offset, whatever follows
   Vec3 p0 = Vec3::Zero(), p1 = Vec3::Zero();
   Vec2 center = Vec2::Zero();
   double sweep = 0.0;
@@ -196,8 +208,16 @@ class CutterComp {
   /// After flush(), or while inactive: the machine has moved by other means (reference point, new origin).
   void rebase(const Vec3& position);
 
-  bool active() const { return active_; }                 ///< on, as of the last block pushed
-  bool pending() const { return !elements_.empty(); }     ///< blocks still wait
+  /// A block without plane motion has gone by, whatever it was pushed as (most_idle).
+  void idle();
+
+  /// After flush(): the machine has moved without compensation. The next motion is a way in again.
+  void forgetVector();
+
+  bool active() const { return active_; }              ///< on, as of the last block pushed
+  bool pending() const { return !elements_.empty(); }  ///< blocks still wait
+  /// Compensation is off and the tool still beside the path: the next motion is the way out.
+  bool displaced() const;
   const Vec3& programmed() const { return programmed_; }  ///< end of the last block pushed
   const Vec3& center() const { return center_; }          ///< end of the last piece that came out
 
@@ -207,6 +227,10 @@ class CutterComp {
 
   CompStatus passThrough(const CompBlock& block, CompOutput& out);
   CompStatus uncompensated(const CompBlock& block, CompOutput& out);
+  CompStatus leave(const CompBlock& block, CompOutput& out);
+  bool startWaits(const CompBlock& block) const;
+  bool standsStill(const CompBlock& block) const;
+  bool lacksRoom(std::size_t index) const;
   Element makeElement(const CompBlock& block) const;
   CompStatus checkBlock(const CompBlock& block) const;
   CompStatus process(bool drain, CompOutput& out);
@@ -243,7 +267,9 @@ class CutterComp {
   bool active_ = false;
   bool start_pending_ = false;  ///< switched on without plane words; the next element starts perpendicular
   double last_offset_ = 0.0;    ///< of the last element
+  bool starts_anew_ = false;    ///< the next element is a way in although compensation is on
   int pass_through_run_ = 0;
+  int idle_run_ = 0;
   std::uint64_t last_motion_tag_ = 0;
   Vec3 programmed_ = Vec3::Zero();
   Vec3 center_ = Vec3::Zero();

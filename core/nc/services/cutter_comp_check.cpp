@@ -78,12 +78,13 @@ std::size_t CutterComp::lastOfRun() const {
     const Element& e = elements_[last + 1];
     if (!e.plain() || e.rho_start != rho || e.rho_end != rho) break;
     ++last;
+    if (e.square_end) break;
   }
   return last;
 }
 
-/// That of the policy, or of the finest decimal that the contour behind the front is told to: some points of a
-/// finer one end in 0, all of them never do.
+/// That of the policy, or of the finest decimal that the contour behind the front is told to: some points of
+/// a finer one end in 0, all of them never do.
 double CutterComp::roundingTolerance() const {
   if (policy_.rounding_tolerance <= 0.0) return 0.0;
   const std::size_t last = lastOfRun();
@@ -188,13 +189,16 @@ void CutterComp::endFrontAt(const RollPlace& stop, std::size_t last, Corner corn
 
 /// Decides whether the path may go on as the corners say, or with what else.
 CompStatus CutterComp::checkFront(CompOutput& out) {
-  if (policy_.rounding_tolerance > 0.0 && elements_.size() > 1) {
+  for (std::size_t i = 0; policy_.arc_needs_room && i < 2 && i < elements_.size(); ++i) {
+    if (lacksRoom(i)) return {CompError::kInterference, elements_[i].tag, elements_.front().tag};
+  }
+  if (policy_.rounding_tolerance > 0.0 && elements_.size() > 1 && !elements_.front().square_end) {
     Element& front = elements_.front();
     bool by_chord = false, rough = front.pivot || cornerAfter(0).error != CompError::kNone;
     std::size_t index = 1;
     if (cornerAfter(0).error == CompError::kNone) {
       index = firstInterference(by_chord);
-      rough = rough || index > 0 || frontRunsBackwards() || missesContour();
+      rough = rough || index > 0 || frontRunsBackwards() || (policy_.contour_check && missesContour());
     }
     if (rough && rollsOver(index)) return {};
     front.pivot = false;
@@ -206,6 +210,13 @@ CompStatus CutterComp::checkFront(CompOutput& out) {
     return {corner.error, in_next ? elements_[1].tag : tag, tag};
   }
   return policy_.interference_check ? checkInterference(out) : CompStatus{};
+}
+
+/// An arc inside that is no larger than the cutter.
+bool CutterComp::lacksRoom(std::size_t index) const {
+  const Element& e = elements_[index];
+  if (e.kind != ElementKind::kArc || !e.plain() || (e.rho_start == 0.0 && e.rho_end == 0.0)) return false;
+  return std::min(offsetRadiusAtStart(e), offsetRadiusAtEnd(e)) <= kReverseTolerance;
 }
 
 /// Index of the first element behind the front that interferes, within the look-ahead; 0 if none does. Sets
@@ -223,7 +234,8 @@ std::size_t CutterComp::firstInterference(bool& by_chord) {
     if (e.rho_start * front.rho_end < 0.0) break;  // behind a change of side chords mean nothing
     const Vec2 programmed = planar(e.p1) - planar(front.p1);
     const Vec2 compensated = end - cornerAfter(0).points.front();
-    by_chord = i >= 2 && programmed.dot(compensated) < -kReverseTolerance * programmed.norm();
+    by_chord =
+        policy_.chord_check && i >= 2 && programmed.dot(compensated) < -kReverseTolerance * programmed.norm();
     if (by_chord) return i;
   }
   return 0;

@@ -170,7 +170,8 @@ Corner cancelCorner(const Element& a, const Element& b, const CutterCompPolicy& 
 }
 
 /// 3.8: the offsets before and after the corner have opposite signs.
-Corner sideChangeCorner(const Element& a, const Element& b, const Vec2& from) {
+Corner sideChangeCorner(const Element& a, const Element& b, const Vec2& from,
+                        const CutterCompPolicy& policy) {
   const Vec2 p = planar(a.p1);
   const Vec2 behind = p + b.rho_start * leftOf(startTangent(b));
   if (const auto x =
@@ -178,7 +179,9 @@ Corner sideChangeCorner(const Element& a, const Element& b, const Vec2& from) {
     return single(*x);
   }
   Corner corner = single(behind);
-  if (a.kind == ElementKind::kArc) {
+  if (policy.square_side_change) {
+    corner.points.insert(corner.points.begin(), p + a.rho_end * leftOf(endTangent(a)));
+  } else if (a.kind == ElementKind::kArc) {
     Vec2 center;
     double sweep;
     if (!chordArc(a, from, behind, center, sweep)) return failed(CompError::kSideChange);
@@ -205,6 +208,12 @@ Corner cornerBehindPoint(const Element& a, const Element& b, const Vec2& from) {
 
 Corner buildCorner(const Element& a, const Element* b, const Vec2& from, const CutterCompPolicy& policy) {
   const Vec2 p = planar(a.p1);
+  if (a.square_end && !a.keep_vector) {
+    const bool directed = a.kind == ElementKind::kLine || a.kind == ElementKind::kArc;
+    Corner corner = single(directed ? Vec2(p + a.rho_end * leftOf(endTangent(a))) : from);
+    if (b && b->phase == ElementPhase::kCancel && b->kind == ElementKind::kZero) corner.points.push_back(p);
+    return corner;
+  }
   if (b == nullptr) return single(p);
   const bool cancel = b->phase == ElementPhase::kCancel;
   if (a.keep_vector) {
@@ -221,7 +230,7 @@ Corner buildCorner(const Element& a, const Element* b, const Vec2& from, const C
   if (b->kind == ElementKind::kZero || b->kind == ElementKind::kCornerArc) {
     return single(p + a.rho_end * leftOf(endTangent(a)));
   }
-  if (a.rho_end * b->rho_start < 0.0) return sideChangeCorner(a, *b, from);
+  if (a.rho_end * b->rho_start < 0.0) return sideChangeCorner(a, *b, from, policy);
   return insideCorner(a, *b, policy);
 }
 

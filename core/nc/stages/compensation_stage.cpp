@@ -45,14 +45,19 @@ const PathItem* CompensationStage::waiting(std::uint64_t tag) const {
 
 bool CompensationStage::push(PathItem& item) {
   if (item.space == PathItem::Space::kMachine) return pass(item);
+  if (item.idle) {
+    filter_.idle();
+    return true;
+  }
   if (!accepts(item)) return false;
+  const bool on = item.comp_on;
   item.tag = next_tag_++;
   const CompBlock block = blockOf(item);
   waiting_.push_back(std::move(item));
   out_.clear();
   const CompStatus status = filter_.push(block, out_);
   if (!drain(status)) return false;
-  if (!filter_.active() && !filter_.pending()) clear();
+  if (!filter_.active() && !filter_.pending() && !filter_.displaced() && !on) clear();
   return true;
 }
 

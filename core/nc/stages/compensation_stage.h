@@ -18,6 +18,9 @@ class CompensationStage : public PathStage {
   void rebase(const AxisPoint& work, const WorkPlane& plane) override;
   void clear() override;
 
+  /// The machine has moved without compensation: see CutterComp.
+  void forgetVector() { filter_.forgetVector(); }
+
  protected:
   explicit CompensationStage(MotionPipe& pipe) : PathStage(StageSlot::kComp), pipe_(pipe) {}
 

@@ -61,6 +61,7 @@ struct PathMotion {
   bool rapid = false;
   bool in_plane = false;  ///< a word of the plane's axes is in the block
   bool comp_on = false;   ///< cutter compensation in the block
+  bool idle = false;      ///< kStay: tells compensation that a block without motion in the plane goes by
   bool keep_vector = false;
   std::uint8_t tip = 0;  ///< with compensation: code of the point that the path is told of, 0 to 9
   bool level = false;    ///< no axis outside the plane moves; told only of blocks with a join, and behind one
@@ -78,6 +79,7 @@ struct PathMotion {
   double offset = 0.0;       ///< of cutter compensation, > 0 left of the path
   double decimal = 0.0;      ///< with compensation: mm, to which the coordinates are rounded; 0: not known
   double rapid_speed = 0.0;  ///< of a rapid, mm/min along the way of all axes; 0: as fast as they can
+  bool by_radius = false;    ///< kArc: its centre came from R
   bool in_polar = false;  ///< in machine space: a line or arc of the plane `polar`, the centre in that plane
   PolarPlane polar;
   std::optional<Vec2> direction;  ///< I, J of a block that switches compensation, or of G39; in the plane

@@ -54,6 +54,9 @@ enum class SharedAlarm : std::uint8_t {
   kTipAndTarget,       ///< a distance from the tip beside an end point
   kInclination,        ///< subject: an angle that the tool cannot come to on the block's way
   kCompEndInArc,       ///< cutter compensation ends in an arc
+  kCompStartInArc,     ///< or starts in one
+  kPlaneInComp,        ///< the plane changes while cutter compensation is on
+  kPlaneInRotation,    ///< or while a rotation is
   kCompNoIntersection,
   kCompInterference,
   kCompBuffer,      ///< more blocks wait than the control can hold

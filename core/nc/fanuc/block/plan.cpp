@@ -5,6 +5,7 @@
 #include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/setting_notes.h"
+#include "core/nc/fanuc/tools/offsets.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/perform/perform.h"
 
@@ -110,6 +111,7 @@ void fanucPowerOn(const IsoContext& c, IsoState& state) {
 }
 
 void fanucBegin(IsoContext& c) {
+  fanucJoinOffsets(c);
   if (c.parameters.flag(FanucParam::kRapid)) return;
   c.stages.dogleg.configure([&c] {
     noteSetting(c, FanucParam::kRapid,

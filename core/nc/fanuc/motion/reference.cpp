@@ -13,6 +13,7 @@
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/motion/held_way.h"
 #include "core/nc/iso/motion/machine_moves.h"
 #include "core/nc/iso/perform/perform.h"
 
@@ -71,6 +72,7 @@ bool performFanucMachineMove(IsoContext& c, BlockPlan& plan) {
   } else if (!sendMachineRapid(c, move.to)) {
     return false;
   }
+  endHeldWay(c, plan, move.to);
   c.settle(move.to);
   endLengths(c, plan);
   return true;

@@ -1,10 +1,45 @@
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 
 #include "core/nc/iso/parameters/cycles.h"
+#include "core/nc/iso/parameters/feeds.h"
 #include "core/nc/iso/parameters/motion.h"
 #include "core/nc/iso/parameters/parameter_rows.h"
 
 namespace proveout::nc {
+namespace {
+
+constexpr ParamInfo atBit(ParamInfo row, int position) {
+  row.bit = position;
+  return row;
+}
+
+/// Offsets, compensation, transforms (iso-fanuc, sections 6 to 9).
+void addOffsetRows(ParameterTable& table) {
+  using namespace param_rows;
+  table
+      .add(FanucParam::kOffsetMemory,
+           choice("offset_memory", kNoNumber, 2, "A B C",
+                  "A one table, B geometry and wear, C geometry and wear with H and D apart"))
+      .add(FanucParam::kDiameterOffsets,
+           atBit(choice("d_is", 5004, 0, "radius diameter",
+                        "what D holds for the program (G10, variables); the job's rows are radii"),
+                 2))
+      .add(FanucParam::kDefaultD,
+           choice("d_default", kNoNumber, 0, "tool zero", "what a D without a row in the job stands for"))
+      .add(FanucParam::kLengthType,
+           choice("length_type", kNoNumber, 0, "A B C",
+                  "axis of G43: A always Z, B across the plane, C the axis beside the code (5001#0, #1)"))
+      .add(FanucParam::kCompStartUp,
+           choice("comp_startup", kNoNumber, 0, "A B C",
+                  "start-up of cutter compensation (5003#0, #1): A square, B by the corner, C at once"))
+      .add(FanucParam::kRotationAdds,
+           bit("g68_r_incremental", 5400, 0, kChannel, 0, "R of G68 under G91 adds to the angle before"))
+      .add(FanucParam::kScaleUnit, number("scale_unit", kNoNumber, kChannel, 0.001, 0.00001, 0.001,
+                                          "factors of G51 without a point count in it (5400#7)"))
+      .fix(FeedParam::kInsideArcLeast, 1);  // F is of the tool centre
+}
+
+}  // namespace
 
 const ParameterTable& fanucParameters() {
   using namespace param_rows;
@@ -53,6 +88,7 @@ const ParameterTable& fanucParameters() {
                                              "Haas: G52 shifts every work system, or is one of its own"));
     addMacroRows(table);
     addLatheRows(table);
+    addOffsetRows(table);
     return table;
   }();
   return kTable;

@@ -49,7 +49,14 @@ enum class FanucParam : std::uint16_t {
   kG76Finish,
   kG76Repeat,
   kG76Angle,
-  kPeckToR,  ///< 5101#2 RTR
+  kPeckToR,          ///< 5101#2 RTR
+  kOffsetMemory,     ///< 0 A one table, 1 B geometry and wear, 2 C with H and D apart
+  kDiameterOffsets,  ///< 5004#2 ODI: D holds 0 radii, 1 diameters
+  kDefaultD,         ///< a D without a row is 0 the tool's own radius, 1 nothing
+  kLengthType,       ///< 5001#0 TLC, #1 TLB: 0 A on Z, 1 B across the plane, 2 C on the axis named
+  kCompStartUp,      ///< 5003#0 SUP, #1 SUV: 0 A, 1 B, 2 C
+  kRotationAdds,     ///< 5400#0 RIN: R of G68 under G91 adds
+  kScaleUnit,        ///< 5400#7 SCR: factors of G51 without a point count in it
   kCount
 };
 inline constexpr double kHaasFlavour = 1.0;  ///< FanucParam::kFlavour

@@ -1,4 +1,6 @@
 // Work frames, machine moves, measuring, stored stroke check.
+#include "core/nc/fanuc/frames/frames.h"
+
 #include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/context/plans.h"
@@ -10,8 +12,10 @@ namespace {
 using namespace rows;
 
 constexpr auto kFanucFramesTableG = std::to_array<GCode>({
-    action(100, kOneShot, kSim, "LPXYZUVWIJKRQ", planDataInput, false,
-           "fan-6-G10L2 fan-6-G10L20 fan-6-G10L10 fan-6-G10L11 fan-6-G10L12 fan-6-G10L13", "data input"),
+    action(100, kOneShot, kSim, "LPXYZUVWIJKRQ", planFanucDataInput, false,
+           "fan-6-G10L2 fan-6-EXT fan-6-G10L20 fan-6-G10L10 fan-6-G10L11 fan-6-G10L12 fan-6-G10L13 "
+           "fan-6-G10L50 fan-6-G10L3",
+           "data input"),
     action(110, kOneShot, kState, {}, planEndOfData, false, "", "end of data input"),
     action(220, kGroupZones, kSim, "XYZIJK", planZoneOn, true, "fan-5-G22", "stored stroke check"),
     action(230, kGroupZones, kSim, {}, planZoneOff, true, "fan-5-G23", "stored stroke check off"),
@@ -29,6 +33,7 @@ constexpr auto kFanucFramesTableG = std::to_array<GCode>({
     modal(590, kGroupWorkSystem, kSim, "fan-6-G54", "work system 6", {}, true),
     action(920, kOneShot, kSim, kAxes, planSetPosition, true, "fan-6-G92",
            "coordinates of the present position"),
+    action(921, kOneShot, kSim, kAxes, planShiftsOff, true, "fan-6-G92.1", "shifts of G52 and G92 end"),
 });
 
 }  // namespace

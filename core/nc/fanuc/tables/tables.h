@@ -12,6 +12,7 @@ namespace proveout::nc {
 CodeTable fanucMotionTable();
 CodeTable fanucFramesTable();
 CodeTable fanucCompTable();
+CodeTable fanucRotaryTable();
 CodeTable fanucTransformsTable();
 CodeTable fanucMacroTable();
 // Lathes: the rows of all systems of G codes, those of one, and numbers of mills that it does not have.

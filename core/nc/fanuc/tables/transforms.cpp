@@ -1,4 +1,5 @@
 // Rotation, scaling, mirroring.
+#include "core/nc/fanuc/frames/frames.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
@@ -10,10 +11,13 @@ using namespace rows;
 
 constexpr auto kFanucTransformsTableG = std::to_array<GCode>({
     modal(500, kGroupScaling, kSim, "fan-9-G50", "scaling off"),
-    action(501, kGroupMirror, kSim, kAxes, planMirrorOff, false, "fan-9-G50.1", "mirroring off"),
-    action(510, kGroupScaling, kSim, "XYZUVWIJKP", planScaling, false, "fan-9-G51", "scaling"),
-    action(511, kGroupMirror, kSim, kAxes, planMirror, false, "fan-9-G51.1", "mirroring"),
-    action(680, kGroupRotation, kSim, "XYZUVWR", planRotation, false, "fan-9-G68", "rotation in the plane"),
+    action(501, kGroupMirror, kSim, kAxes, planFanucMirrorOff, false, "fan-9-G50.1", "mirroring off"),
+    action(510, kGroupScaling, kSim, "XYZUVWIJKP", planFanucScaling, false, "fan-9-G51 fan-9-G51arc",
+           "scaling"),
+    action(511, kGroupMirror, kSim, kAxes, planFanucMirror, false, "fan-9-G51.1 fan-9-order fan-9-mirrorcomp",
+           "mirroring"),
+    action(680, kGroupRotation, kSim, "XYZUVWR", planFanucRotation, false, "fan-9-G68 fan-9-G68inc",
+           "rotation in the plane"),
     modal(690, kGroupRotation, kSim, "fan-9-G69", "rotation off"),
 });
 

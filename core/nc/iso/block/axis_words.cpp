@@ -7,6 +7,7 @@
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/five_axis/five_axis.h"
 #include "core/nc/iso/five_axis/tip_control.h"
+#include "core/nc/iso/motion/held_way.h"
 #include "core/nc/services/rollover.h"
 
 namespace proveout::nc {
@@ -150,6 +151,7 @@ bool axisTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre word
   }
   if ((radius.word != nullptr || angle.word != nullptr) && !polarTarget(c, plan, radius, angle, target))
     return false;
+  if (plan.next.held.any()) goHeldWay(c, plan, target, words);
   if (words == WordsAre::kReference) return true;
   if (plan.next.five.follows()) {
     if (plan.next.five.tip == TipControl::kVector && !takeToolVector(c, plan, target)) return false;

@@ -12,6 +12,7 @@
 #include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/frames/transforms.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/motion/held_way.h"
 #include "core/nc/iso/motion/planes.h"
 #include "core/nc/iso/motion/tool_direction.h"
 #include "core/nc/iso/motion/virtual_plane.h"
@@ -281,6 +282,7 @@ bool planNumbers(IsoContext& c, BlockPlan& plan) {
 
 bool planOffsetsHD(IsoContext& c, BlockPlan& plan) {
   if (c.dialect.rules.offsets_by_tool) return true;
+  if (c.dialect.offsets != nullptr) return c.dialect.offsets(c, plan);
   const auto rows = static_cast<std::int64_t>(c.parameters[CompParam::kToolOffsets]);
   const OffsetTables& table = c.registers.offsets;
   const auto rowOf = [&](const Word& w, OffsetColumn column, int& row) {
@@ -324,12 +326,19 @@ void warnOfMissingOffset(IsoContext& c, WorkSystemId id) {
              fmt::format("{} has no value in the job: 0 is taken (--offset {}=X,Y,Z)", name, option));
 }
 
+bool isUsualSystem(int code10) {
+  return code10 == gcode::kExtendedWorkSystem ||
+         (code10 % 10 == 0 && code10 >= gcode::kWorkSystem1 && code10 <= gcode::kWorkSystem1 + 50);
+}
+
 bool planWorkSystem(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupWorkSystem];
   if (code == nullptr) return true;
   plan.next.five.dynamic_zero = 0;
   if (code->code10 == gcode::kDynamicZero) {
     if (!planDynamicZero(c, plan)) return false;
+  } else if (c.dialect.usual_systems != nullptr && isUsualSystem(code->code10)) {
+    if (!c.dialect.usual_systems(c, plan)) return false;
   } else if (code->code10 == gcode::kExtendedWorkSystem) {
     const Word* p = c.word('P');
     std::int64_t number = 0;
@@ -346,6 +355,22 @@ bool planWorkSystem(IsoContext& c, BlockPlan& plan) {
   plan.frames_changed = true;
   if (plan.next.five.dynamic_zero == 0) warnOfMissingOffset(c, plan.next.work_system);
   return true;
+}
+
+/// The axes that get the length of G43 and G44.
+AxisSet lengthAxes(const IsoContext& c, const BlockPlan& plan) {
+  AxisSet axes;
+  const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
+  const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
+  if (always_z || by_plane) {
+    axes.set(static_cast<std::size_t>(always_z ? 2 : plan.next.workPlane().w));
+    return axes;
+  }
+  for (const Word& w : c.block.words) {
+    AxisWord named;
+    if (axisWord(plan, w, named)) axes.set(static_cast<std::size_t>(named.axis));
+  }
+  return axes;
 }
 
 bool planLength(IsoContext& c, BlockPlan& plan) {
@@ -373,18 +398,11 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   } else if (mode != gcode::kLengthOff && (code || c.block.present.has('H'))) {
     if (c.state.active[kGroupLengthComp] == gcode::kLengthTurning) next.length = AxisPoint();
     const double value = mode == gcode::kLengthPlus ? next.h_value : -next.h_value;
-    const bool always_z = c.parameters.flag(CompParam::kLengthAlwaysZ);
-    const bool by_plane = !always_z && c.parameters.flag(CompParam::kLengthByPlane);
-    const auto set = [&](int axis) {
-      next.length[axis] = next.axes.diameter[static_cast<std::size_t>(axis)] ? 0.5 * value : value;
-    };
-    if (always_z || by_plane) {
-      set(always_z ? 2 : next.workPlane().w);
-    } else {
-      for (const Word& w : c.block.words) {
-        AxisWord named;
-        if (axisWord(plan, w, named)) set(named.axis);
-      }
+    AxisSet axes = lengthAxes(c, plan);
+    if (c.dialect.length_axes != nullptr && !c.dialect.length_axes(c, plan, axes)) return false;
+    for (int axis = 0; axis < c.axes.count(); ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      if (axes[k]) next.length[axis] = next.axes.diameter[k] ? 0.5 * value : value;
     }
     next.five.along_tool = next.five.on_table && c.five_axes.hasHead();
     plan.frames_changed = true;
@@ -397,6 +415,7 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
   } else {
     plan.chain = &c.chain;
   }
+  if (c.dialect.rules.holds_length) holdLength(c, plan);
   return true;
 }
 
@@ -404,7 +423,8 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupRadiusComp];
   const bool was_on = c.state.compOn();
   if (was_on && !(plan.next.workPlane() == c.state.workPlane())) {
-    return c.fail("plane-in-comp", "the plane cannot change while cutter compensation (G41, G42) is on");
+    return c.fail(SharedAlarm::kPlaneInComp,
+                  "the plane cannot change while cutter compensation (G41, G42) is on");
   }
   if (plan.next.compOn() && plan.next.inCycle() && !c.dialect.rules.cycles_in_compensation) {
     return c.fail("cycle-in-comp",
@@ -421,7 +441,7 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
   if (motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise) {
     if (!plan.next.compOn() && was_on) return c.alarm(SharedAlarm::kCompEndInArc, "");
     if (plan.next.compOn() && !was_on)
-      return c.fail("comp-start-arc", "G41, G42 cannot be switched on in a G2 or G3 block");
+      return c.fail(SharedAlarm::kCompStartInArc, "G41, G42 cannot be switched on in a G2 or G3 block");
     return true;
   }
   if (plan.next.compOn() && plan.next.d == 0 && !c.block.present.has('D') && c.state.d == 0) {
@@ -504,8 +524,9 @@ bool planBlock(IsoContext& c, BlockPlan& plan) {
   return takeAuxiliary(c, plan) && collectG(c, plan) && collectM(c, plan) && planModal(c, plan) &&
          (c.state.axes.mode == VirtualMode::kOff || checkVirtual(c, plan)) && planNumbers(c, plan) &&
          planOffsetsHD(c, plan) && planTiltState(c, plan) && planWorkSystem(c, plan) &&
-         planTransformsOff(c, plan) && planLength(c, plan) && planComp(c, plan) && govern(c, plan) &&
-         followZero(c, plan) && checkAxisModes(c, plan) && checkWords(c, plan) &&
+         (c.dialect.transforms_off ? c.dialect.transforms_off : planTransformsOff)(c, plan) &&
+         planLength(c, plan) && planComp(c, plan) && govern(c, plan) && followZero(c, plan) &&
+         checkAxisModes(c, plan) && checkWords(c, plan) &&
          (c.dialect.check_block == nullptr || c.dialect.check_block(c, plan));
 }
 

@@ -30,7 +30,7 @@ std::vector<LoopBudget::Named> loopState(const IsoContext& c) {
 IsoStages::IsoStages(IsoContext& c)
     : contour_alarms(c.alarms, c),
       crossing(c.pipe, contour_alarms),
-      transform(c.chain, c.map, c.alarms),
+      transform(c.chain, c.map, c.alarms, c.dialect.rules.scales_centres),
       corner(c.pipe, contour_alarms),
       comp(c.pipe, c.parameters, c.alarms, c),
       virtual_plane(c.pipe, c.chain, c.registers.frames, c.axes),

@@ -125,8 +125,9 @@ class AlarmCalls {
   }
   bool firstTime(std::string_view key) { return reporter().firstTime(key); }
   /// A warning that is told once for each key. Where a loop may come by, ask firstTime() before formatting.
-  void warnOnce(std::string_view key, const DiagnosticName& name, std::string message, Columns at = {}) {
-    if (firstTime(key)) warn(name, std::move(message), at);
+  void warnOnce(std::string_view key, const DiagnosticName& name, std::string message, Columns at = {},
+                Severity severity = Severity::kWarning) {
+    if (firstTime(key)) warn(name, std::move(message), at, severity);
   }
 
  private:

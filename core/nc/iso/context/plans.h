@@ -26,6 +26,8 @@ bool planCylinder(IsoContext& c, BlockPlan& plan);
 // frames/frames.cpp
 bool planLocalShift(IsoContext& c, BlockPlan& plan);
 bool planSetPosition(IsoContext& c, BlockPlan& plan);
+/// The shifts of G52 and G92 of the named axes end.
+bool planShiftsOff(IsoContext& c, BlockPlan& plan);
 /// G10 L2, L20.
 bool planWorkOffset(IsoContext& c, BlockPlan& plan);
 

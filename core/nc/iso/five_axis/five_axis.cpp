@@ -52,7 +52,11 @@ bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
 
 bool planDynamicZero(IsoContext& c, BlockPlan& plan) {
   if (!c.five_axes.hasTable())
-    return c.fail("machine-data", "G54.2 needs a machine with a rotary table (N3200 = 2 or 3)");
+    return c.fail("machine-data",
+                  c.parameters.name(FiveAxisParam::kMechanicalType).empty()
+                      ? "G54.2 needs a rotary table, and the machine of this job has none ([[machine.axis]])"
+                      : fmt::format("G54.2 needs a machine with a rotary table ({} = 2 or 3)",
+                                    c.parameters.name(FiveAxisParam::kMechanicalType)));
   const Word* p = c.word('P');
   std::int64_t number = 0;
   if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.2 needs P1 to P8");

@@ -59,7 +59,8 @@ bool planLocalShift(IsoContext& c, BlockPlan& plan) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
     const double value = axisValue(c, plan, word, w);
-    change.shift52[word.axis] = word.step ? change.shift52[word.axis] + value : value;
+    const bool adds = word.step && !c.dialect.rules.local_shift_absolute;
+    change.shift52[word.axis] = adds ? change.shift52[word.axis] + value : value;
   }
   return true;
 }
@@ -82,6 +83,7 @@ bool planSetPosition(IsoContext& c, BlockPlan& plan) {
     change.shift52[word.axis] = 0.0;
     change.shift92[word.axis] = work[word.axis] - value;
     position[word.axis] = value;
+    if (word.axis < kMainAxes) plan.next.held.axes.reset(static_cast<std::size_t>(word.axis));
   }
   const ProgramMap map = programMap(plan.next.transforms, c.axes);
   if (map.identity) return true;
@@ -89,6 +91,17 @@ bool planSetPosition(IsoContext& c, BlockPlan& plan) {
   const AxisPoint image = map.image(position);
   for (int axis = 0; axis < c.axes.count(); ++axis) {
     change.shift92[axis] = work[axis] - image[axis] - change.shift52[axis];
+  }
+  return true;
+}
+
+bool planShiftsOff(IsoContext& c, BlockPlan& plan) {
+  if (!c.anyAxisWord())
+    return c.alarm(SharedAlarm::kMissingData, "", "G92.1 needs the axes whose shifts end, as in G92.1 X0");
+  FrameChange& change = frameChange(c, plan);
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (axisWord(plan, w, word)) change.shift52[word.axis] = change.shift92[word.axis] = 0.0;
   }
   return true;
 }
@@ -101,7 +114,7 @@ bool planWorkOffset(IsoContext& c, BlockPlan& plan) {
   for (const Address a : {'R', 'Q'}) {
     if (const Word* w = c.word(a)) return c.alarm(SharedAlarm::kIllegalAddress, *w, "in G10 L2, L20");
   }
-  if (!integerWord(c, *p, basic ? 0 : 1, basic ? 6 : 99, row)) return false;
+  if (!integerWord(c, *p, basic ? 0 : 1, basic ? 6 : c.dialect.rules.extended_systems, row)) return false;
   plan.flush = true;  // the frame of the compensated path changes
   FrameChange& change = frameChange(c, plan);
   const WorkSystemId id = basic ? static_cast<int>(row) : kFirstExtended + static_cast<int>(row) - 1;

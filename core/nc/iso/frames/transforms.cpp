@@ -88,7 +88,7 @@ bool planTransformsOff(IsoContext& c, BlockPlan& plan) {
   const AxisModal& modal = plan.next.axes;
   const bool same_plane = modal.plane_u == t.rotation_u && modal.plane_v == t.rotation_v;
   if (t.rotates && plan.next.active[kGroupRotation] != gcode::kRotationOff && !same_plane) {
-    return c.fail("plane-in-rotation", "the plane cannot change while a rotation (G68) is on");
+    return c.fail(SharedAlarm::kPlaneInRotation, "the plane cannot change while a rotation (G68) is on");
   }
   const bool rotation = t.rotates && plan.next.active[kGroupRotation] == gcode::kRotationOff;
   const bool scaling = t.scales && plan.next.active[kGroupScaling] == gcode::kScalingOff;

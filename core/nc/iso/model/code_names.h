@@ -20,7 +20,7 @@ inline constexpr std::int32_t kInch = 200, kMetric = 210;
 inline constexpr std::int32_t kZoneOff = 230;
 inline constexpr std::int32_t kReference = 280, kNumberedReference = 300;
 inline constexpr std::int32_t kSkip = 310, kMeasureLength = 370;
-inline constexpr std::int32_t kKeepVector = 380;  // of cutter compensation
+inline constexpr std::int32_t kKeepVector = 380, kCornerArc = 390;  // of cutter compensation
 inline constexpr std::int32_t kCompOff = 400, kCompLeft = 410, kCompRight = 420;
 inline constexpr std::int32_t kCompInSpace = 1410;  // along a vector of the block, in the same group
 inline constexpr std::int32_t kLengthPlus = 430, kLengthTurning = 437, kLengthMinus = 440, kLengthOff = 490;

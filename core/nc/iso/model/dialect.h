@@ -15,7 +15,9 @@
 #include "core/nc/iso/model/program_store.h"
 #include "core/nc/iso/model/system_calls.h"
 #include "core/nc/iso/parameters/parameter_table.h"
+#include "core/nc/kinematics/axes.h"
 #include "core/nc/macro/formula_language.h"
+#include "core/nc/services/cutter_comp.h"
 #include "core/nc/text/alarms.h"
 #include "core/nc/text/lexer.h"
 
@@ -24,6 +26,7 @@ namespace proveout::nc {
 struct IsoContext;
 struct BlockPlan;
 struct IsoState;
+class IsoParameters;
 
 /// What a maker's own rules keep of a channel from block to block, beside the state of the family.
 class MakerData {
@@ -82,6 +85,15 @@ struct IsoRules {
   bool loose_arcs = false;            ///< an arc tolerance of 0 checks nothing, and a centre word of 0 across
                                       ///< the plane is no word
   bool short_radius_is_half = false;  ///< R within the tolerance of half the chord makes a half circle
+  /// A length offset that changes without a motion of its axis acts with the axis's next motion, in steps
+  /// (G91) too: see HeldWay. False: steps count from where the machine is.
+  bool holds_length = false;
+  /// Unequal factors of G51 take centre and ends of an arc with I J K each by themselves, which makes it a
+  /// spiral, and R by the larger factor. False: the arc is made anew from its ends and R by the factor of the
+  /// plane's first axis.
+  bool scales_centres = false;
+  bool local_shift_absolute = false;  ///< the words of G52 are the shift; false: under G91 they add to it
+  int extended_systems = 99;          ///< work systems of G54.1, G10 L20
 };
 
 struct IsoDialect {
@@ -133,6 +145,17 @@ struct IsoDialect {
   /// Makes what reads the lines of a channel and carries out its statements. Null: lexer and macro language
   /// of the family.
   std::unique_ptr<IsoLanguage> (*language)(IsoContext&) = nullptr;
+  /// The rows of H and D of the block, and their values into the state. Null: those of nct.
+  PlanFunction offsets = nullptr;
+  /// The work system that G54 to G59 and G54.1 of the block choose. Null: those of nct, P1 to P99.
+  PlanFunction usual_systems = nullptr;
+  /// G69, G50 and G50.1 of the block, and what a plane change does to a rotation. Null: planTransformsOff().
+  PlanFunction transforms_off = nullptr;
+  /// Changes the axes that get the length of a block with G43 or G44, or with H while they are on. False: an
+  /// error was reported. Null: those of the parameters.
+  bool (*length_axes)(IsoContext&, const BlockPlan&, AxisSet&) = nullptr;
+  /// Rules of cutter compensation other than nct's. Null: there are none.
+  void (*compensation)(const IsoParameters&, CutterCompPolicy&) = nullptr;
 };
 
 }  // namespace proveout::nc

@@ -47,6 +47,7 @@ struct PlannedMotion {
   AxisSet named;     ///< axes with a word
   bool rapid = false;
   bool is_arc = false;
+  bool by_radius = false;  ///< of an arc: its centre came from R
   PlaneArc arc;
   FeedStyle feed;
   double polar_turn_deg = 0.0;    ///< of a polar angle word: from the old angle to the new one

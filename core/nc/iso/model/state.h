@@ -8,6 +8,7 @@
 #include "core/nc/iso/model/axis_modal.h"
 #include "core/nc/iso/model/code_names.h"
 #include "core/nc/iso/model/codes.h"
+#include "core/nc/iso/model/held_way.h"
 #include "core/nc/kinematics/axes.h"
 #include "core/nc/kinematics/frames.h"
 #include "core/nc/kinematics/program_transforms.h"
@@ -101,6 +102,7 @@ struct IsoState {
   AxisModal axes;
   Transforms transforms;
   FiveAxisState five;
+  HeldWay held;
 
   /// The plane by its axes.
   WorkPlane workPlane() const { return WorkPlane(axes.plane_u, axes.plane_v, axes.plane_w); }

@@ -12,6 +12,7 @@
 #include "core/nc/iso/five_axis/tip_control.h"
 #include "core/nc/iso/motion/contour.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/motion/held_way.h"
 #include "core/nc/iso/motion/machine_moves.h"
 #include "core/nc/iso/motion/planes.h"
 #include "core/nc/iso/perform/perform.h"
@@ -223,6 +224,7 @@ bool planArc(IsoContext& c, BlockPlan& plan) {
   plan.perform = performMove;
   plan.motion.is_arc = true;
   plan.motion.arc = resolved.arc;
+  plan.motion.by_radius = request.radius.has_value();
   takePolarTurns(plan, request);
   if (!checkTurns(c, plan) || !carryArc(c, plan)) return false;
   if (!planJoin(c, plan) || !feedStyle(c, plan, plan.motion.feed)) return false;
@@ -263,6 +265,7 @@ bool performMachineMove(IsoContext& c, BlockPlan& plan) {
   const MachineMove& move = std::get<MachineMove>(plan.payload);
   if (move.has_via && !sendMachineRapid(c, move.via)) return false;
   if (!sendMachineRapid(c, move.to)) return false;
+  endHeldWay(c, plan, move.to);
   c.settle(move.to);
   return true;
 }

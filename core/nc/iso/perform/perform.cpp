@@ -33,6 +33,18 @@ bool changeToolFirst(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+bool tellIdle(IsoContext& c, const BlockPlan& plan);
+
+/// A block that cutter compensation cannot look for a corner in; calls and returns are none.
+bool staysInPlane(const BlockPlan& plan) {
+  if (plan.flow != nullptr && plan.flow->phase == MPhase::kCall) return false;
+  if (plan.governor->code10 == gcode::kCornerArc || plan.motion.is_arc) return false;
+  if (plan.perform != performMove) return true;
+  const WorkPlane plane = plan.next.workPlane();
+  return plan.start[plane.u] == plan.motion.target[plane.u] &&
+         plan.start[plane.v] == plan.motion.target[plane.v];
+}
+
 }  // namespace
 
 bool perform(IsoContext& c, BlockPlan& plan) {
@@ -56,6 +68,7 @@ bool perform(IsoContext& c, BlockPlan& plan) {
     c.registers.tilt_input = tilt != nullptr ? *tilt : TiltInput();
   const bool done = plan.perform ? plan.perform(c, plan) : switchCompInPlace(c, plan);
   if (!done) return false;
+  if (c.dialect.compensation != nullptr && c.stages.comp.linked() && !tellIdle(c, plan)) return false;
   if (plan.rebases) c.rebasePipe();
   // Functions changed these while the block ran.
   plan.next.spindle_direction = c.state.spindle_direction;
@@ -183,8 +196,22 @@ void fillContour(IsoContext& c, const BlockPlan& plan, PathItem& item) {
 
 void engageComp(IsoContext& c, const BlockPlan& plan) {
   if (c.stages.comp.linked() || !plan.next.compOn()) return;
-  c.stages.comp.engage(c.stages.corner.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))));
+  c.stages.comp.engage(c.stages.corner.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))),
+                       c.dialect.compensation);
   c.pipe.link(c.stages.crossing);
+}
+
+/// Tells cutter compensation, in its turn, of a block without motion in the plane.
+bool tellIdle(IsoContext& c, const BlockPlan& plan) {
+  const bool counts = c.state.compOn() && plan.next.compOn() && staysInPlane(plan);
+  if (!counts || c.stages.corner.linked()) return true;
+  PathItem item;
+  item.kind = PathItem::Kind::kStay;
+  item.plane = planeOf(plan.next);
+  item.to = c.position;
+  item.comp_on = item.idle = true;
+  item.source = c.here();
+  return c.pipe.push(item);
 }
 
 /// A block without motion may still start or end cutter compensation on the spot, and so move the tool.
@@ -220,6 +247,7 @@ bool performMove(IsoContext& c, BlockPlan& plan) {
     item.center = {motion.arc.center.x(), motion.arc.center.y(), motion.arc.start.z()};
     item.start = motion.arc.start.head<2>();
     item.sweep = motion.arc.sweep_rad;
+    item.by_radius = motion.by_radius;
   }
   const bool contour =
       item.comp_on || motion.join != PathItem::Join::kSharp || motion.meet != PathItem::Meet::kNo;

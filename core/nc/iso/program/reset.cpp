@@ -114,6 +114,8 @@ void resetAtEnd(IsoContext& c) {
   s.axes.smoothing = 0;
   s.axes.threading = false;
   s.axes.polar = PolarData();
+  s.held = HeldWay();
+  s.transforms.nested = {};
   s.axes.diameter = fresh.axes.diameter;
   s.automatic = AutomaticBits();
   s.rigid_tap = RigidTap::kOff;

@@ -74,12 +74,13 @@ double insideArcFactor(const IsoParameters& parameters, double programmed_radius
 
 }  // namespace
 
-void CompStage::engage(const Vec3& start) {
+void CompStage::engage(const Vec3& start, void (*maker)(const IsoParameters&, CutterCompPolicy&)) {
   CutterCompPolicy policy;
   policy.interference_check = parameters_.flag(CompParam::kInterferenceCheck);
   policy.interference_alarm = parameters_.flag(CompParam::kInterferenceAlarm);
   policy.extra_look_ahead = static_cast<int>(parameters_[CompParam::kExtraLookAhead]);
   policy.min_step = parameters_[CompParam::kMinCompStep];
+  if (maker != nullptr) maker(parameters_, policy);
   tip_ = Vec2::Zero();
   begin(policy, start);
 }
@@ -100,7 +101,12 @@ void CompStage::note(const CompNote& told) {
 }
 
 void CompStage::failed(const CompStatus& status) {
-  report(Severity::kError, nameOf(status.error), describe(status.error), status.tag);
+  // The name of our own is the usual one of compensation where the control has no number for it.
+  const bool numbered = alarms_.table().number(SharedAlarm::kCompStartInArc) != 0;
+  const DiagnosticName name = status.error == CompError::kStartInArc && numbered
+                                  ? DiagnosticName(SharedAlarm::kCompStartInArc)
+                                  : nameOf(status.error);
+  report(Severity::kError, name, describe(status.error), status.tag);
   recovery_.recover();
 }
 

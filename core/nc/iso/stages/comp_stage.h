@@ -18,7 +18,8 @@ class CompStage final : public CompensationStage {
       : CompensationStage(pipe), parameters_(parameters), alarms_(alarms), recovery_(recovery) {}
 
   /// Compensation begins with the next item; the last one ended at `start`, (u, v, w).
-  void engage(const Vec3& start);
+  /// `maker`: changes the rules, may be null.
+  void engage(const Vec3& start, void (*maker)(const IsoParameters&, CutterCompPolicy&));
 
  private:
   void note(const CompNote& told) override;

@@ -53,9 +53,31 @@ bool TransformStage::transformArc(PathItem& item) {
   const double radius = (item.start - item.center.head<2>()).norm();
   item.start = planeToWork(chain_, item, {item.start.x(), item.start.y(), item.center.z()}).head<2>();
   item.sweep *= map_.sense(item.plane);
-  if (map_.unequal(item.plane)) return rebuildArc(item, radius, center);
+  if (map_.unequal(item.plane)) {
+    if (!scales_centres_ || item.by_radius) return rebuildArc(item, radius, center);
+    scaleCentre(item, center);
+    return true;
+  }
   item.center = center;
   return true;
+}
+
+/// The arc between its scaled ends about its scaled centre; its radius may change on the way.
+void TransformStage::scaleCentre(PathItem& item, const Vec3& center) const {
+  constexpr double kTurn = 2.0 * kPi;
+  const Vec2 end = planeToWork(chain_, item, item.plane.of(item.to)).head<2>();
+  const Vec2 from = item.start - center.head<2>(), to = end - center.head<2>();
+  const double sense = item.sweep < 0.0 ? -1.0 : 1.0;
+  const double turns = std::floor(std::abs(item.sweep) / kTurn + 1e-9);
+  double part = sense * std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const bool whole = std::abs(std::abs(item.sweep) - turns * kTurn) < 1e-9;
+  if (whole) {
+    part = 0.0;
+  } else if (part <= 0.0) {
+    part += kTurn;
+  }
+  item.sweep = sense * (turns * kTurn + part);
+  item.center = center;
 }
 
 bool TransformStage::rebuildArc(PathItem& item, double radius, const Vec3& center) {
@@ -67,7 +89,7 @@ bool TransformStage::rebuildArc(PathItem& item, double radius, const Vec3& cente
     return alarms_.fail("unequal-scaling",
                         "spirals and arcs of more than a turn cannot be scaled by unequal factors");
   }
-  radius *= map_.radiusFactor(item.plane);
+  radius *= scales_centres_ ? map_.largestFactor(item.plane) : map_.radiusFactor(item.plane);
   if (turns > 1.0 - 1e-9) {  // a full circle has no chord: it keeps the direction of its centre
     const Vec2 to_center = center.head<2>() - item.start;
     item.center = center;
