@@ -8,7 +8,7 @@ namespace proveout::nc {
 namespace {
 
 /// Ways shorter than this are rounding, mm.
-constexpr double kNoWayMm = 1e-9;
+constexpr double kHeldNothingMm = 1e-9;
 
 bool movesOnArc(const BlockPlan& plan) {
   const int motion = plan.next.active[kGroupMotion];
@@ -29,7 +29,7 @@ void holdLength(IsoContext& c, BlockPlan& plan) {
     const double way = counted[axis] - plan.start[axis] + (held.in_steps[k] ? held.way[axis] : 0.0);
     if (old[axis] == length[axis]) continue;
     held.way[axis] = way;
-    held.axes[k] = held.in_steps[k] = std::abs(way) > kNoWayMm;
+    held.axes[k] = held.in_steps[k] = std::abs(way) > kHeldNothingMm;
   }
 }
 
@@ -39,7 +39,7 @@ void holdPlane(BlockPlan& plan, const AxisPoint& counted, bool in_steps) {
     if (axis >= kMainAxes) continue;
     const auto k = static_cast<std::size_t>(axis);
     held.way[axis] = counted[axis] - plan.start[axis];
-    held.axes[k] = std::abs(held.way[axis]) > kNoWayMm;
+    held.axes[k] = std::abs(held.way[axis]) > kHeldNothingMm;
     held.in_steps[k] = held.axes[k] && in_steps;
   }
 }
