@@ -107,15 +107,17 @@ bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
 }  // namespace
 
 const CodeIndex& fanucMillCodes() {
-  static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
-                                 fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()});
+  static const CodeIndex kIndex({fanucTextTable(), fanucMotionTable(), fanucFramesTable(), fanucCompTable(),
+                                 fanucCyclesTable(), fanucTransformsTable(), fanucRotaryTable(),
+                                 fanucMacroTable()});
   return kIndex;
 }
 
 const CodeIndex& haasMillCodes() {
-  static const CodeIndex kIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
-                                 fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
-                                {haasMillTable()});
+  static const CodeIndex kIndex(
+      {fanucTextTable(), fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
+       fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
+      {haasMillTable()});
   return kIndex;
 }
 
@@ -123,8 +125,8 @@ const CodeIndex& fanucLatheCodes(GCodeSystem system, bool haas) {
   const auto make = [](GCodeSystem of, bool of_haas) {
     std::vector<CodeTable> own{fanucLatheTable(), fanucLatheSystemTable(of)};
     if (of_haas) own.push_back(haasLatheTable());
-    return CodeIndex({fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucTransformsTable(),
-                      fanucRotaryTable(), fanucMacroTable()},
+    return CodeIndex({fanucTextTable(), fanucMotionTable(), fanucFramesTable(), fanucCompTable(),
+                      fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
                      std::move(own), notInSystem(of));
   };
   static const std::array<std::array<CodeIndex, 2>, 3> kCodes = {{

@@ -60,6 +60,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/tables/macro.cpp
   nc/fanuc/tables/motion.cpp
   nc/fanuc/tables/rotary.cpp
+  nc/fanuc/tables/text.cpp
   nc/fanuc/tables/transforms.cpp
   nc/fanuc/text/decimal.cpp
   nc/fanuc/tools/offset_input.cpp

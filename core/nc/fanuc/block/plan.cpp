@@ -125,8 +125,8 @@ void fanucEndShifts(IsoContext& c) {
   WorkFrames& frames = c.registers.frames;
   if (!c.parameters.flag(FanucParam::kKeepG52)) frames.shift52 = AxisPoint();
   if (!c.parameters.flag(FanucParam::kKeepG92)) frames.shift92 = AxisPoint();
-  fanucData(c).curve = CurveInput();
-  fanucData(c).no_length.reset();
+  c.variables.clearVolatile();
+  fanucData(c) = FanucData();
 }
 
 bool fanucUnknownM(IsoContext& c, const Word& word, int number) {

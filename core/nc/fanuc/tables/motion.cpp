@@ -79,6 +79,16 @@ constexpr auto kFanucMotionTableM = std::to_array<MCode>({
 
 constexpr auto kFanucMotionTableFeatures = std::to_array<FeatureRow>({
     {"arc tolerance", kReject, "fan-3-arctol", "end off the circle by more than arc_radius_tolerance"},
+    {"arc words", kReject, "fan-3-arcmissing", "an arc without a centre, or with one across the plane"},
+    {",C", kSim, "fan-3-chamfer", "chamfer between two blocks"},
+    {",R", kSim, "fan-3-corner", "corner between two blocks"},
+    {",C ,R errors", kReject, "fan-3-cornererr", "chamfers and corners that do not fit"},
+    {"F0", kReject, "fan-4-F0", "a motion by feed without F"},
+    {"S", kState, "fan-4-S", "spindle speed"},
+    {"G92 S", kTime, "fan-4-G92S", "limit of the spindle's speed"},
+    {"G17 U", kSim, "fan-5-parallel", "planes with parallel axes"},
+    {"machine.zero", kSim, "fan-5-nomachine", "reference moves without a machine zero in the job"},
+    {"length at G28 G53", kSim, "fan-5-lengthsuspend", "length offset that a reference move ends"},
 });
 
 }  // namespace

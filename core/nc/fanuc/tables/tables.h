@@ -9,6 +9,7 @@
 namespace proveout::nc {
 
 // Mills and lathes.
+CodeTable fanucTextTable();
 CodeTable fanucMotionTable();
 CodeTable fanucFramesTable();
 CodeTable fanucCompTable();

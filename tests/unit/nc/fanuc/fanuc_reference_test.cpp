@@ -139,8 +139,5 @@ TEST(FanucReference, HeadOfAPostedProgram) {
                                   "F 50 10 -2", "R 50 10 15", "R 50 10 100"}));
 }
 
-// fan-1-reset: G52 goes, the shift of G92 and offsets stay, modal codes are those of power-on
-TEST(FanucReference, ResetAtTheEnd) { EXPECT_EQ(machine("G52 X5.\nG1 X1.").motions(), (Lines{"F 6 0 0"})); }
-
 }  // namespace
 }  // namespace proveout::test
