@@ -119,7 +119,8 @@ void Lexer::endComment(Block& block, std::size_t from) {
 bool Lexer::foreignSign(std::string_view line, std::size_t i, bool& comment) {
   comment = line[i] == ';' && semicolon_told_;
   if (comment) return true;
-  if (rules_.number_alarms) return fail(SharedAlarm::kCharacter, shown(line[i]), {}, i, i + 1);
+  if (rules_.number_alarms && line[i] != '#')
+    return fail(SharedAlarm::kCharacter, shown(line[i]), {}, i, i + 1);
   if (line[i] == ')') return syntax("')' without '('", i, i + 1);
   if (line[i] == '#' && rules_.expressions != nullptr)
     return fail(SharedAlarm::kMixedBlock, {}, "'#' does not start a word", i, i + 1);

@@ -21,7 +21,8 @@ inline ControlSettings runAtZero(std::map<std::string, double> parameters = {}) 
   return settings;
 }
 
-/// A run of one text; the tool starts at (0, 0, 0) unless the settings say otherwise.
+/// A run of one text; the tool starts at (0, 0, 0) unless the settings say otherwise. Rapids of Fanuc-like
+/// mills are straight unless the settings name "rapid"; with -1 it is as if they had not named it.
 struct IsoRun {
   Toolpath path;
   InterpretSummary summary;
@@ -31,7 +32,11 @@ struct IsoRun {
     MemoryProgramSource source("main.nc", text);
     for (const auto& [name, program] : others) source.add(name, program);
     ToolpathBuilder sink(path);
-    summary = interpret(control, source, settings, sink);
+    ControlSettings straight = settings;
+    if (control == ControlId::kFanucMill) straight.parameters.emplace("rapid", 1.0);
+    if (straight.parameters.contains("rapid") && straight.parameters.at("rapid") < 0.0)
+      straight.parameters.erase("rapid");
+    summary = interpret(control, source, straight, sink);
   }
   /// "R 10 10 0", "F 30 10 0", "A 40 -15 0 c 40 -5 0 -90": kind, end, and of an arc its centre and sweep in
   /// degrees; up to four decimals, in workpiece coordinates. Kinds: R rapid, F feed, A arc by feed, T thread,

@@ -125,7 +125,6 @@ void fanucEndShifts(IsoContext& c) {
   WorkFrames& frames = c.registers.frames;
   if (!c.parameters.flag(FanucParam::kKeepG52)) frames.shift52 = AxisPoint();
   if (!c.parameters.flag(FanucParam::kKeepG92)) frames.shift92 = AxisPoint();
-  c.variables.clearVolatile();
   fanucData(c) = FanucData();
 }
 

@@ -13,7 +13,7 @@ bool planFanuc(IsoContext& c, BlockPlan& plan);
 void fanucPowerOn(const IsoContext& c, IsoState& state);
 /// IsoDialect::begin: the way of rapids.
 void fanucBegin(IsoContext& c);
-/// IsoDialect::end_shifts: `g52_at_end`, `g92_at_end`; #1-#33 and #100-#199 become vacant.
+/// IsoDialect::end_shifts: `g52_at_end`, `g92_at_end`.
 void fanucEndShifts(IsoContext& c);
 /// IsoDialect::unknown_m: noted once, an error with `strict_m`.
 bool fanucUnknownM(IsoContext& c, const Word& word, int number);

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "core/nc/fanuc/macro/macro_rules.h"
+#include "core/nc/fanuc/text/decimal.h"
 #include "core/nc/iso/context/origins.h"
 
 namespace proveout::nc {
@@ -55,7 +56,7 @@ bool fanucArguments(IsoContext& c, const ArgumentRules& rules, Arguments& out) {
     if (&w == rules.call ||
         (!rules.of_block && (w.address == 'L' || (w.address == 'P' && rules.weak.has('P')))))
       continue;
-    const Value value{w.value, false, numberOf(c, w, OriginKind::kArgument)};
+    const Value value{fanucArgument(c, w), false, numberOf(c, w, OriginKind::kArgument)};
     if (rules.of_block && w.address == 'G') {
       out.v[kGVariable] = value;
       continue;

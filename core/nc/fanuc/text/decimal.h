@@ -11,4 +11,8 @@ namespace proveout::nc {
 /// of turning cycles, I J K P of scaling, knots and weights of G06.2. False: reported.
 bool takeFanucWords(IsoContext& c);
 
+/// A word of a macro call as its variable gets it: lengths without a point count as their address does, in
+/// units or, with `decimal` "increment", in least increments; nothing is rounded.
+double fanucArgument(const IsoContext& c, const Word& w);
+
 }  // namespace proveout::nc

@@ -21,16 +21,20 @@ bool notes(const IsoRun& run, const std::string& part) {
 }
 
 // fan-3-G00: acceptance 10
+/// As if the job had not told how rapids go.
+const Keys kAxisByAxis{{"rapid", -1.0}};
+
 TEST(FanucMotion, RapidsGoAxisByAxis) {
-  const IsoRun run = moveRun("G0 X30. Y10.");
+  const IsoRun run = moveRun("G0 X30. Y10.", kAxisByAxis);
   EXPECT_EQ(run.motions(), (Lines{"R 10 10 0", "R 30 10 0"}));
   EXPECT_TRUE(notes(run, "setting rapid"));
   EXPECT_EQ(moveRun("G0 X30. Y10.", {{"rapid", 1.0}}).motions(), (Lines{"R 30 10 0"}));
-  EXPECT_EQ(moveRun("G0 X5. Y-10. Z20.").motions(), (Lines{"R 5 -5 5", "R 5 -10 10", "R 5 -10 20"}));
-  EXPECT_EQ(moveRun("G0 X10. Y10.").motions(), (Lines{"R 10 10 0"}));
-  EXPECT_FALSE(notes(moveRun("G0 X10. Y10.\nX5."), "rapid"));
+  EXPECT_EQ(moveRun("G0 X5. Y-10. Z20.", kAxisByAxis).motions(),
+            (Lines{"R 5 -5 5", "R 5 -10 10", "R 5 -10 20"}));
+  EXPECT_EQ(moveRun("G0 X10. Y10.", kAxisByAxis).motions(), (Lines{"R 10 10 0"}));
+  EXPECT_FALSE(notes(moveRun("G0 X10. Y10.\nX5.", kAxisByAxis), "rapid"));
   // An axis at half the rate arrives behind the other one.
-  ControlSettings settings = runAtZero();
+  ControlSettings settings = runAtZero(kAxisByAxis);
   settings.rapid_mm_min = {10000.0, 5000.0, 10000.0};
   const IsoRun rates(ControlId::kFanucMill, "O1\nG90 G0 X30. Y20.\nM30\n", settings);
   EXPECT_EQ(rates.motions(), (Lines{"R 30 15 0", "R 30 20 0"}));

@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "F 17.3205 10 -1", "R 17.3205 10 0", "R 25.9808 15 0", "F 25.9808 15 -1", "R 25.9808 15 0",
                  "R 0 15 0"}},
         // haas-18-G53: under G91 too, with G49 and M5
-        HaasRow{"G53", "G0 X1.\nG91 G53 G49 X10. M5", {"R 1 0 0", "R 10 0 0"}},
+        HaasRow{"G53", "G10 L2 P1 X1.\nG0 X1.\nG91 G53 G49 X11. M5", {"R 1 0 0", "R 10 0 0"}},
         HaasRow{"GotoVariable", "#1= 20\nGOTO#1\nG0 X9.\nN20 G0 X1.", {"R 1 0 0"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
