@@ -176,7 +176,9 @@ TEST(FanucText, BadNumbersAndAddressesHaveAlarms) {
     const IsoRun run = textRun(bad.text);
     EXPECT_EQ(run.error(), bad.code) << bad.text << ": " << run.message();
     EXPECT_EQ(run.first(Severity::kError).where.line, 3) << bad.text;
-    if (bad.column > 0) EXPECT_EQ(run.first(Severity::kError).where.column, bad.column) << bad.text;
+    if (bad.column > 0) {
+      EXPECT_EQ(run.first(Severity::kError).where.column, bad.column) << bad.text;
+    }
   }
 }
 
