@@ -130,7 +130,7 @@ class Pair {
 
   void looped() {
     both(fmt::format("#1=0\n#2={}\nWHILE[#1 LT {}]DO1\n", place(9), 2 + below(4)));
-    both("G1 X[#2+#1*2.5] Y[#2*SIN[#1*30]] F150\n#1=#1+1\nEND1\n");
+    both("G1 X[#2+#1*2.5] Y[#2*SIN[30]*2-#1*COS[60]*8] F150\n#1=#1+1\nEND1\n");
     both(fmt::format("IF[#1 GT 3]GOTO {0}\nG1 Z#2\nN{0} G0 Z25.\n", 100 + label_++));
   }
 
