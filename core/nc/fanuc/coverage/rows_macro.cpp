@@ -8,7 +8,7 @@ namespace {
 constexpr auto kFanucMacroRowsList = std::to_array<CoverageIdRow>({
     {"fan-11-M98", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
     {"fan-11-M98Q", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
-    {"fan-11-M98name", "SIM", "missing", ""},
+    {"fan-11-M98name", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
     {"fan-11-M99", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
     {"fan-11-M99P", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
     {"fan-11-M99main", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},

@@ -10,7 +10,9 @@ using Lines = std::vector<std::string>;
 using Settings = std::map<std::string, double>;
 using Files = std::map<std::string, std::string>;
 
-IsoRun callsMill(const std::string& text, const Settings& settings = {}, const Files& files = {}) {
+/// Rapids go straight, so that a block is one motion.
+IsoRun callsMill(const std::string& text, Settings settings = {}, const Files& files = {}) {
+  settings.try_emplace("rapid", 1);
   return {ControlId::kFanucMill, text, runAtZero(settings), files};
 }
 
@@ -53,7 +55,7 @@ TEST(FanucCalls, WithTheLFormAllDigitsAreTheNumber) {
   const std::string program = "O1\nG91 M98 P30012\nM30\nO12\nG0 X1\nM99\nO30012\nG0 X2\nM99\n";
   EXPECT_EQ(callsMill(program).motions().size(), 3u) << "O12 three times";
   EXPECT_TRUE(callsMill(program).tells("fanuc-setting"));
-  EXPECT_FALSE(callsMill(program, {{"subprogram_form", 0}}).tells("fanuc-setting"));
+  EXPECT_FALSE(callsMill(program, {{"subprogram_form", 0}, {"decimal", 0}}).tells("fanuc-setting"));
   EXPECT_EQ(callsMill(program, {{"subprogram_form", 1}}).motions(), (Lines{"R 2 0 0"}));
   // A long number that is there alone under that name.
   const IsoRun alone = callsMill("O1\nM98 P30012\nM30\nO30012\nG0 X2\nM99\n");
@@ -70,6 +72,9 @@ TEST(FanucCalls, CallsMayBeginAtABlockAndGoByName) {
   EXPECT_EQ(callsMill(std::string("O1\nG91 M98 P12 Q20 L2\n") + kSub).motions(),
             (Lines{"R 2 0 0", "R 4 0 0"}));
   EXPECT_EQ(callsMill(std::string("O1\nM98 P12 Q30\n") + kSub).error(), "fanuc-078");
+  EXPECT_EQ(callsMill("O1\nM98 <HOLES>\nM30\nO<HOLES>\nG0 X3\nM99\n").motions(), (Lines{"R 3 0 0"}));
+  EXPECT_EQ(callsMill("O1\nM98 <HOLES>\nM30\n<HOLES>\nG0 X3\nM99\n").motions(), (Lines{"R 3 0 0"}));
+  EXPECT_EQ(callsMill("O1\nM98 <NONE>\nM30\n<HOLES>\nG0 X3\nM99\n").error(), "fanuc-076");
 }
 
 // fan-11-M99 fan-11-M99P fan-11-M30 fan-11-M02

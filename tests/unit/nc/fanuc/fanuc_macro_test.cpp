@@ -12,15 +12,28 @@ namespace {
 using Lines = std::vector<std::string>;
 using Settings = std::map<std::string, double>;
 
-IsoRun macroMill(const std::string& text, const Settings& settings = {}) {
+/// Rapids go straight, so that a block is one motion.
+IsoRun macroMill(const std::string& text, Settings settings = {}) {
+  settings.try_emplace("rapid", 1);
   return {ControlId::kFanucMill, text, runAtZero(settings)};
 }
 
-/// The value of an expression, or the code of its error.
+/// The value of an expression as DPRNT writes it with four decimals, or the code of its error.
 std::string valueOf(const std::string& expression, const Settings& settings = {}) {
-  const IsoRun run = macroMill("O1\n#100=" + expression + "\nG0 X[#100+0]\nM30\n", settings);
-  if (!run.error().empty()) return run.error();
-  return run.path.motions.empty() ? "0" : IsoRun::number(run.end().x());
+  MemoryProgramSource source("main.nc", "O1\n#100=" + expression + "\nDPRNT[#100[84]]\nM30\n");
+  Toolpath path;
+  ToolpathBuilder sink(path);
+  MemoryOutput output;
+  ControlHost host;
+  host.output = &output;
+  interpret(ControlId::kFanucMill, source, runAtZero(settings), sink, nullptr, host);
+  for (const Diagnostic& d : path.diagnostics.all()) {
+    if (d.severity == Severity::kError) return d.code;
+  }
+  // A sign stands in front of the blanks.
+  std::string text = output.files().at("macro.txt");
+  std::erase(text, ' ');
+  return IsoRun::number(std::stod(text));
 }
 
 // Rows 32 to 36 of the acceptance are below. fan-12-expr

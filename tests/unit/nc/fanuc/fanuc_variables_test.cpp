@@ -1,6 +1,7 @@
 // System variables.
 #include <gtest/gtest.h>
 
+#include "core/nc/fanuc/system_variables/offset_numbers.h"
 #include "tests/unit/nc/iso_run.h"
 
 namespace proveout::test {
@@ -11,6 +12,7 @@ using Settings = std::map<std::string, double>;
 
 ControlSettings withOffsets(const Settings& parameters = {}) {
   ControlSettings settings = runAtZero(parameters);
+  settings.parameters.try_emplace("rapid", 1);
   for (const int row : {1, 7}) {
     settings.length_offsets[row] = {50.0, 0.5};
     settings.radius_offsets[row] = {4.0, 0.25};
@@ -36,7 +38,9 @@ std::string readVariable(const std::string& blocks, const std::string& variable,
   ControlHost host;
   host.output = &output;
   interpret(control, source, settings, sink, nullptr, host);
-  return IsoRun::number(std::stod(output.files().at("macro.txt")));
+  std::string text = output.files().at("macro.txt");
+  std::erase(text, ' ');
+  return IsoRun::number(std::stod(text));
 }
 
 // fan-13-offsets
@@ -65,6 +69,35 @@ TEST(FanucVariables, OffsetsOfMillsHaveTheirNumbersByMemory) {
   const IsoRun run(ControlId::kFanucMill, "O1\n#11002=20.\n#10002=-1.\nG43 H2 G0 Z10.\nM30\n", withOffsets());
   EXPECT_EQ(run.motions(), (Lines{"R 0 0 29"}));
   EXPECT_EQ(readVariable("#11002=20.\n#10002=-1.\nG43 H2 G0 Z10.", "#5023"), "29");
+}
+
+// A: one value a number; B: geometry and wear for H and D alike; C: H and D apart.
+TEST(FanucVariables, TheMemorySaysWhichCellsThereAre) {
+  using nc::OffsetColumn;
+  struct Row {
+    int base;
+    OffsetColumn column;
+    bool wear, both;
+    bool operator==(const Row&) const = default;
+  };
+  const auto rows = [](int memory, bool v15) {
+    std::vector<Row> out;
+    for (const nc::OffsetNumbers& n : nc::millOffsetNumbers({memory, v15, false, false}))
+      out.push_back({n.base, n.column, n.wear, n.both});
+    return out;
+  };
+  constexpr OffsetColumn kH = OffsetColumn::kLength, kD = OffsetColumn::kRadius;
+  EXPECT_EQ(rows(0, false), (std::vector<Row>{{2000, kH, false, true}, {10000, kH, false, true}}));
+  EXPECT_EQ(rows(1, false), (std::vector<Row>{{2000, kH, true, true},
+                                              {10000, kH, true, true},
+                                              {2200, kH, false, true},
+                                              {11000, kH, false, true}}));
+  EXPECT_EQ(rows(1, true), (std::vector<Row>{{2000, kH, false, true},
+                                             {10000, kH, false, true},
+                                             {2200, kH, true, true},
+                                             {11000, kH, true, true}}));
+  EXPECT_EQ(rows(2, false).size(), 6u);
+  EXPECT_EQ(rows(2, false).back(), (Row{13000, kD, false, false}));
 }
 
 // fan-13-v15
@@ -207,7 +240,8 @@ TEST(FanucVariables, ModalCodesAndWordsAreTold) {
              "O1\nG96 S100 M3\nG99\n#500=[#4002*1000]+#4005\nG97 S100\nIF[#500 NE 96099]THEN #3000=1\nM30\n")
           .error(),
       "");
-  EXPECT_EQ(IsoRun(ControlId::kFanucMill, "O5\nG65 P77\nG0 Y#4115\nM30\nO77\nG0 X#4115\nM99\n").motions(),
+  EXPECT_EQ(IsoRun(ControlId::kFanucMill, "O5\nG65 P77\nG0 Y#4115\nM30\nO77\nG0 X#4115\nM99\n", withOffsets())
+                .motions(),
             (Lines{"R 77 0 0", "R 77 5 0"}));
 }
 
@@ -241,7 +275,7 @@ TEST(FanucVariables, CommonVariablesAreKeptForTheNextProgram) {
       "b.nc", "O2\nG0 X[#500+0] Y[#900001+0] Z[#1+#100+#510]\nIF[#100 NE #0]THEN #3000=1\nM30\n");
   Toolpath next;
   ToolpathBuilder next_sink(next);
-  EXPECT_TRUE(interpret(ControlId::kFanucMill, second, runAtZero(), next_sink, nullptr, host).ok());
+  EXPECT_TRUE(interpret(ControlId::kFanucMill, second, withOffsets(), next_sink, nullptr, host).ok());
   ASSERT_EQ(next.motions.size(), 1u);
   EXPECT_EQ(next.motions[0].to, Vec3(1, 7, 0));
 }
