@@ -54,8 +54,14 @@ TEST(FanucCalls, SubprogramsAreCalledWithRepetitions) {
 TEST(FanucCalls, WithTheLFormAllDigitsAreTheNumber) {
   const std::string program = "O1\nG91 M98 P30012\nM30\nO12\nG0 X1\nM99\nO30012\nG0 X2\nM99\n";
   EXPECT_EQ(callsMill(program).motions().size(), 3u) << "O12 three times";
-  EXPECT_TRUE(callsMill(program).tells("fanuc-setting"));
-  EXPECT_FALSE(callsMill(program, {{"subprogram_form", 0}, {"decimal", 0}}).tells("fanuc-setting"));
+  const auto notesForm = [&](const Settings& settings) {
+    int notes = 0;
+    for (const Diagnostic& d : callsMill(program, settings).path.diagnostics.all())
+      notes += d.message.find("subprogram_form") != std::string::npos;
+    return notes;
+  };
+  EXPECT_EQ(notesForm({}), 1);
+  EXPECT_EQ(notesForm({{"subprogram_form", 0}}), 0);
   EXPECT_EQ(callsMill(program, {{"subprogram_form", 1}}).motions(), (Lines{"R 2 0 0"}));
   // A long number that is there alone under that name.
   const IsoRun alone = callsMill("O1\nM98 P30012\nM30\nO30012\nG0 X2\nM99\n");

@@ -95,8 +95,8 @@ TEST(FanucMacro, VariablesKeepTheirValues) {
               (Lines{"R 7.5 0 0"}))
         << number;
   EXPECT_EQ(macroMill("O1\n#1=3\n#[#1+97]=8\nG0 X#100 Y#[99+1]\nM30\n").motions(), (Lines{"R 8 8 0"}));
-  EXPECT_EQ(valueOf("#3101"), "3.142");
-  EXPECT_EQ(valueOf("#3102"), "2.718");
+  EXPECT_EQ(valueOf("#3101"), "3.1416");
+  EXPECT_EQ(valueOf("#3102"), "2.7183");
   for (const char* number : {"#34", "#99", "#200", "#499", "#1200", "#9999", "#98500", "#800000"}) {
     EXPECT_EQ(valueOf(number), "fanuc-115") << number;
     EXPECT_EQ(macroMill(std::string("O1\n") + number + "=1\nM30\n").error(), "fanuc-115") << number;
