@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/nc/fanuc/block/plan.h"
+#include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_data.h"
 #include "core/nc/fanuc/lathe/lathe_words.h"
 #include "core/nc/iso/context/words.h"
@@ -66,12 +67,15 @@ bool takeStepsOfC(IsoContext& c) {
   return true;
 }
 
-/// U, V and W are steps in system A only; cycles have words of these letters in all of them.
+/// U, V and W are steps in system A only; cycles, G04 and G10 have words of these letters in all of them.
 bool checkSteps(IsoContext& c, const BlockPlan& plan) {
-  if (c.parameters[FanucParam::kGcodeSystem] == 0.0) return true;
-  if (plan.governor == nullptr || plan.governor->code10 >= 100000) return true;
+  constexpr std::int32_t kDwellCode = 40, kDataCode = 100;
+  if (c.parameters[FanucParam::kGcodeSystem] == 0.0 || plan.governor == nullptr) return true;
+  const std::int32_t code = plan.governor->code10;
+  const bool own_words = code >= lathe_code::kFinish && code <= lathe_code::kPattern;
+  if (own_words || code == kDwellCode || code == kDataCode) return true;
   for (const Word& w : c.block.words) {
-    if (w.axis >= 0 || w.address < 'U' || w.address > 'W' || plan.governor->code10 == 40) continue;
+    if (w.axis >= 0 || w.address < 'U' || w.address > 'W') continue;
     return c.failWord(SharedAlarm::kIllegalAddress,
                       fmt::format("illegal address {}: steps are programmed by G91 in this system of G codes",
                                   addressText(w.address)),

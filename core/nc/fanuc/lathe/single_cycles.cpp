@@ -25,7 +25,10 @@ bool takeSingleWords(IsoContext& c, BlockPlan& plan, SingleCycleWords& words) {
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   if (plan.motion.named[0]) words.x = plan.motion.target[0];
   if (plan.motion.named[2]) words.z = plan.motion.target[2];
-  if (c.ownWord(plan, 'R') != nullptr) words.taper = lengthWord(c, plan, 'R');
+  // Older controls and Haas write the taper with I, of facing with K.
+  for (const Address letter : {'R', code == lathe_code::kFacing ? 'K' : 'I'}) {
+    if (c.ownWord(plan, letter) != nullptr) words.taper = lengthWord(c, plan, letter);
+  }
   plan.motion.target = start;
   return true;
 }

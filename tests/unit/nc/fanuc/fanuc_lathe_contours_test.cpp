@@ -153,6 +153,27 @@ TEST(FanucLatheContours, VariablesAndSubprogramsAroundContours) {
             (Lines{"R 24 2", "F 24 -40", "R 26 -39", "R 26 2", "R 20 2", "F 20 -40", "F 44 -40", "R 44 2"}));
 }
 
+/// Words without a point in least increments: the same passes.
+TEST(FanucLatheContours, IncrementsWithoutPoints) {
+  EXPECT_EQ(
+      turned("G71 U2000 R1000\nG71 P10 Q20 U400 W100 F.3\nN10 G0 X20000\nG1 Z-20000 F.1\nX30000 Z-30000\n"
+             "Z-40000\nN20 X44000\nM30\n",
+             latheAt(44, 2, {{"decimal", 1}})),
+      kShaftRoughing);
+  EXPECT_EQ(turned("G73 U5000 W2000 R3\nG73 P10 Q20 F.3\nN10 G0 X20000 Z0\nN20 G1 X40000 Z-30000 F.1\nM30\n",
+                   latheAt(50, 5, {{"decimal", 1}})),
+            turned("G73 U5. W2. R3\nG73 P10 Q20 F.3\nN10 G0 X20. Z0\nN20 G1 X40. Z-30. F.1\nM30\n",
+                   latheAt(50, 5)));
+}
+
+/// Compensation that is on before a roughing cycle is not in its levels, and is there again behind it.
+TEST(FanucLatheContours, RoughingIsNotCompensated) {
+  const std::string text =
+      "T0101\nG42 G1 X44. Z2. F.3\nG71 U2. R1.\nG71 P10 Q20 U.4 W.1 F.3\n" + kShaft + "G40 G0 X60.\nM30\n";
+  const Lines all = turned(text, latheAt(50, 2, {{"nose_radius.1", 0.8}, {"tip.1", 3}}));
+  EXPECT_NE(std::search(all.begin(), all.end(), kShaftRoughing.begin() + 1, kShaftRoughing.end()), all.end());
+}
+
 // fan-16-errors
 TEST(FanucLatheContours, Errors) {
   const auto error = [](const std::string& text) { return lathe(text + "M30\n", latheAt(44, 2)).error(); };

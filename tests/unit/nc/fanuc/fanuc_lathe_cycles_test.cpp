@@ -16,6 +16,7 @@ TEST(FanucLatheCycles, TurningCycle) {
   EXPECT_EQ(turned("G90 X30. Z-40. R-5. F.2\nM30\n", latheAt(50, 2)),
             (Lines{"R 20 2", "F 30 -40", "F 50 -40", "R 50 2"}));
   EXPECT_EQ(turned("G90 X40. Z-30. R-2.5 F.2\nM30\n", latheAt(50, 2)).front(), "R 35 2");
+  EXPECT_EQ(turned("G90 X40. Z-30. I-2.5 F.2\nM30\n", latheAt(50, 2)).front(), "R 35 2");
   EXPECT_EQ(turned("G90 U-10. W-32. F.2\nU-14.\nG0 X60.\nM30\n", latheAt(50, 2)),
             (Lines{"R 40 2", "F 40 -30", "F 50 -30", "R 50 2", "R 36 2", "F 36 -30", "F 50 -30", "R 50 2",
                    "R 60 2"}));

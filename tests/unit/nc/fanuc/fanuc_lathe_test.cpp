@@ -56,6 +56,8 @@ TEST(FanucLathe, SystemsOfGCodes) {
             (Lines{"R 12.7 0 2"}));
   EXPECT_EQ(lathe("G91 G0 X1.\nM30\n").error(), "fanuc-010");
   EXPECT_EQ(lathe("G0 U1.\nM30\n", latheAt(50, 2, {{"gcode_system", 1}})).error(), "fanuc-009");
+  EXPECT_EQ(latheMoves("G10 P1 U10.\nT0101\nG0 X30.\nM30\n", latheAt(50, 2, {{"gcode_system", 1}})),
+            (Lines{"R 20 0 2"}));
   // G92 sets coordinates in B and C, G50 in A.
   for (const double system : {1.0, 2.0})
     EXPECT_EQ(latheMoves("G92 X100. Z10.\nG0 X98. Z10.\nM30\n", latheAt(50, 2, {{"gcode_system", system}})),
