@@ -92,6 +92,7 @@ IsoDialect latheDialect(GCodeSystem system, bool haas) {
   d.rules.set_position_steps = true;
   d.rules.directions_meet = true;
   d.maker_data = makeLatheData;
+  d.take_words = takeLatheWords;
   d.plan = planLatheBlock;
   d.power_on = latheAtPowerOn;
   d.tool = planLatheTool;

@@ -10,6 +10,7 @@
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_data.h"
 #include "core/nc/fanuc/lathe/lathe_words.h"
+#include "core/nc/fanuc/text/decimal.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/perform/unused_words.h"
@@ -137,8 +138,10 @@ void latheAtPowerOn(const IsoContext& c, IsoState& state) {
   state.surface_axis = 0;
 }
 
+bool takeLatheWords(IsoContext& c) { return takeStepsOfC(c) && takeFanucWords(c); }
+
 bool planLatheBlock(IsoContext& c, BlockPlan& plan) {
-  if (!takeStepsOfC(c) || !planFanuc(c, plan) || !checkSteps(c, plan)) return false;
+  if (!planFanuc(c, plan) || !checkSteps(c, plan)) return false;
   if (!checkRadius(c, plan)) return false;
   tellNose(c, plan);
   const Word* d = c.block.find('D');

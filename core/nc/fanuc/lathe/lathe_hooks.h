@@ -10,7 +10,9 @@ namespace proveout::nc {
 
 /// Offsets of the settings go into the tables.
 std::unique_ptr<MakerData> makeLatheData(IsoContext& c);
-/// Words of H are steps of C; D belongs to cycles.
+/// Words of H are steps of C; numbers as takeFanucWords() reads them.
+bool takeLatheWords(IsoContext& c);
+/// planFanuc(), and what lathes refuse or tell besides: D belongs to cycles, U and W to system A.
 bool planLatheBlock(IsoContext& c, BlockPlan& plan);
 /// X in diameter, plane ZX, feed per turn.
 void latheAtPowerOn(const IsoContext& c, IsoState& state);
