@@ -12,6 +12,7 @@ namespace {
 
 using namespace io_test;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 TEST(Job, ReadsEveryKey) {
