@@ -11,9 +11,14 @@
 namespace proveout::nc {
 namespace {
 
+std::string lcnMainText(const ProgramSource& source) {
+  const Result<ProgramText> main = source.mainProgram();
+  return main.ok() ? main->bytes : std::string();
+}
+
 InterpretSummary runLinuxCnc(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                              Progress* progress, const ControlHost& host) {
-  const ControlSettings all = withLcnMachine(settings);
+  const ControlSettings all = withLcnMachine(settings, lcnMainText(source));
   return IsoControl(linuxCncDialect(all.parameters), source, all, sink, progress, host).run();
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/characters.h"
 #include "core/nc/linuxcnc/files/lcn_lines.h"
 #include "core/nc/linuxcnc/files/lcn_var_file.h"
+#include "core/nc/linuxcnc/text/lcn_line.h"
 
 namespace proveout::nc {
 namespace {
@@ -144,7 +145,33 @@ void takeLimits(const LcnIni& ini, double scale, ControlSettings& out) {
   }
 }
 
+bool isLcnLetter(char c) { return c >= 'a' && c <= 'z'; }
+
+/// Adds the letters of one line, without blanks and comments and in small letters.
+void addRotaryWords(std::string_view line, std::string& out) {
+  constexpr std::string_view kValue = "0123456789+-.[#";
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '<') i = std::min(line.find('>', i), line.size() - 1);
+    if (line[i] < 'a' || line[i] > 'c') continue;
+    const bool alone = (i == 0 || !isLcnLetter(line[i - 1])) && i + 1 < line.size() &&
+                       kValue.find(line[i + 1]) != std::string_view::npos;
+    if (alone && out.find(upper(line[i])) == std::string::npos) out += upper(line[i]);
+  }
+}
+
 }  // namespace
+
+std::string lcnRotaryWords(std::string_view program) {
+  std::string out;
+  LcnLine line;
+  LcnFault fault;
+  forEachLcnLine(program, [&](std::string_view text) {
+    if (text.find_first_of("aAbBcC") == std::string_view::npos || !takeLcnLine(text, line, fault)) return;
+    if (!line.text.starts_with('o')) addRotaryWords(line.text, out);
+  });
+  std::sort(out.begin(), out.end());
+  return out;
+}
 
 std::span<const TextSetting> linuxCncTexts() { return kLcnTexts; }
 
@@ -172,7 +199,7 @@ LcnMachine readLcnMachine(const ControlSettings& settings) {
   return out;
 }
 
-ControlSettings withLcnMachine(const ControlSettings& settings) {
+ControlSettings withLcnMachine(const ControlSettings& settings, std::string_view program) {
   ControlSettings out = settings;
   const LcnIni ini(lcnText(settings, "ini"));
   std::optional<std::string> units = ini.text("TRAJ", "LINEAR_UNITS");
@@ -185,6 +212,10 @@ ControlSettings withLcnMachine(const ControlSettings& settings) {
     takeAxes(named, out);
   } else if (const auto coordinates = ini.text("TRAJ", "COORDINATES")) {
     takeAxes(*coordinates, out);
+  } else if (out.axes.empty() && !out.machine) {
+    const std::string letters = lcnRotaryWords(program);
+    takeAxes(letters, out);
+    if (!letters.empty()) out.texts[kLcnAssumedAxes] = letters;
   }
   takeLimits(ini, scale, out);
   const auto lathe = ini.text("DISPLAY", "LATHE");

@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,16 @@ struct LcnMachine {
 };
 LcnMachine readLcnMachine(const ControlSettings& settings);
 
+/// Letters A, B, C that stand as words in a program: "AC".
+std::string lcnRotaryWords(std::string_view program);
+
+/// The setting under which a run is told of axes that only the program names.
+inline constexpr const char* kLcnAssumedAxes = "assumed_axes";
+
 /// The settings with what the INI file and `axes` say, where the job does not say it itself: units, axes,
 /// limits of travel, tolerance of arcs, lathe.
-ControlSettings withLcnMachine(const ControlSettings& settings);
+/// `program`: the text of the main program. Its rotary axes are A, B, C turning the part, where neither job
+/// nor machine name any axis beside X, Y, Z.
+ControlSettings withLcnMachine(const ControlSettings& settings, std::string_view program);
 
 }  // namespace proveout::nc

@@ -101,6 +101,14 @@ bool LinuxCncLanguage::start(StatementFlow& flow) {
   if (!machine_.faults.empty())
     return c_.fail("machine-file", "[control.linuxcnc] " + machine_.faults.front());
   takeKept();
+  if (const auto axes = c_.settings.texts.find(kLcnAssumedAxes); axes != c_.settings.texts.end()) {
+    c_.warn(
+        "axes",
+        fmt::format("the job names no axes beside X, Y, Z ([machine], axes of [control.linuxcnc]): {} of the "
+                    "program turn the part about X, Y, Z for A, B, C",
+                    axes->second),
+        {}, Severity::kNote);
+  }
   for (const std::string& line : machine_.startup)
     if (!runLine(line, flow)) return false;
   return true;

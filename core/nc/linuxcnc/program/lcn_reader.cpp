@@ -131,7 +131,7 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
   word.minus = word.value < 0.0;
   word.columns = line_.columnsOf(begin, pos);
   if (!(std::abs(word.value) <= kMaxValue))
-    return fault("value", fmt::format("{} is beyond all machines", written), begin, pos);
+    return fault("out-of-range", fmt::format("{} is beyond all machines", written), begin, pos);
   if (word.from_expression) word.reads = c_.origins.listOf(evaluator.reads());
   const bool apart = word.columns.end - word.columns.begin != static_cast<int>(pos - begin);
   if (word.from_expression || apart || main != (word.axis >= 0)) block.plain = false;

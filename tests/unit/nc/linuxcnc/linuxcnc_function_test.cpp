@@ -149,6 +149,16 @@ TEST(LinuxCncMachine, IniFile) {
                           [](const auto& e) { return e.event.template as<event::Overtravel>() != nullptr; }));
 }
 
+TEST(LinuxCncMachine, RotaryAxesOfTheProgram) {
+  const IsoRun run = lcn("#1=45\nG0 X1 a#1 (B5)\n(debug,#<_a> #<_b>)\nM2\n");
+  EXPECT_EQ(told(run), (Lines{"45.000000 0.000000"})) << run.message();
+  EXPECT_TRUE(run.tells("linuxcnc-axes"));
+  EXPECT_FALSE(lcn("#1=ABS[-4]\n#<a>=ATAN[1]/[2]\no<cab> if [1]\no<cab> endif\nG0 X#<a>\nM2\n")
+                   .tells("linuxcnc-axes"));
+  EXPECT_TRUE(lcn("A5\n", {}, withTexts({{"axes", "XYZ"}})).message().starts_with("Bad character 'a' used"));
+  EXPECT_EQ(lcn("G0 W5 U1\n(debug,#<_w> #<_u>)\nM2\n", {}, withTexts({{"axes", "XYZUW"}})).error(), "");
+}
+
 // lcn-1-remap lcn-1-python
 TEST(LinuxCncMachine, Remaps) {
   const std::map<std::string, std::string> files = {
