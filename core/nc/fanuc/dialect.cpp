@@ -14,6 +14,7 @@
 #include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/system_variables/fanuc_banks.h"
+#include "core/nc/fanuc/system_variables/haas_bank.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/fanuc/text/decimal.h"
 #include "core/nc/fanuc/tools/offsets.h"
@@ -82,6 +83,8 @@ IsoDialect haasOf(IsoDialect dialect) {
   dialect.rules.last_of_group = false;
   dialect.rules.local_call = kLocalCall;
   dialect.work_system = haasWorkSystem;
+  dialect.lexing.short_while = true;
+  dialect.system_variables = haasMillBanks;
   return dialect;
 }
 

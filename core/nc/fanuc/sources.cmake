@@ -52,6 +52,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/system_variables/common_bank.cpp
   nc/fanuc/system_variables/fanuc_banks.cpp
   nc/fanuc/system_variables/offset_numbers.cpp
+  nc/fanuc/system_variables/haas_bank.cpp
   nc/fanuc/tables/comp.cpp
   nc/fanuc/tables/cycles.cpp
   nc/fanuc/tables/frames.cpp

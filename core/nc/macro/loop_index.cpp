@@ -44,10 +44,17 @@ std::size_t lineHead(std::string_view line, bool& comment) {
 
 }  // namespace
 
+std::size_t whileLength(std::string_view text, std::size_t pos) {
+  if (keywordAt(text, pos, "WHILE")) return 5;
+  if (pos + 1 >= text.size() || upper(text[pos]) != 'W' || upper(text[pos + 1]) != 'H') return 0;
+  const std::size_t open = skipBlanks(text, pos + 2);
+  return open < text.size() && text[open] == '[' ? 2 : 0;
+}
+
 std::size_t loopNumberAt(std::string_view text, std::size_t pos) {
   if (keywordAt(text, pos, "END")) return skipBlanks(text, pos + 3);
-  if (keywordAt(text, pos, "WHILE")) {
-    pos = skipBlanks(text, pos + 5);
+  if (const std::size_t length = whileLength(text, pos); length > 0) {
+    pos = skipBlanks(text, pos + length);
     if (pos >= text.size() || text[pos] != '[') return std::string_view::npos;
     pos = behindBracket(text, pos);
     if (pos == std::string_view::npos) return pos;
@@ -69,7 +76,7 @@ LoopIndex::LoopIndex(const std::vector<std::string_view>& lines, bool comments_e
     const std::size_t head = lineHead(line, comment);
     if (head == std::string_view::npos) continue;
     const bool is_end = keywordAt(line, head, "END");
-    if (!is_end && !keywordAt(line, head, "DO") && !keywordAt(line, head, "WHILE")) continue;
+    if (!is_end && !keywordAt(line, head, "DO") && whileLength(line, head) == 0) continue;
     const int number = loopNumber(line, loopNumberAt(line, head));
     if (number > 0) add(k, number, is_end);
   }

@@ -8,6 +8,9 @@
 
 namespace proveout::nc {
 
+/// Length of WHILE, or of the WH[...] of some controls, at text[pos]; 0: it is neither.
+std::size_t whileLength(std::string_view text, std::size_t pos);
+
 /// Pairs of DO (also behind WHILE) and END by line. Pairs are found by nesting, as the text stands: where a
 /// jump enters a loop, its END still knows its DO (manual 23.2.11).
 class LoopIndex {

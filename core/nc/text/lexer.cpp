@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/characters.h"
+#include "core/nc/macro/loop_index.h"
 
 namespace proveout::nc {
 namespace {
@@ -159,6 +160,7 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
       if (head && upper(c) != 'N' && upper(c) != 'O') {
         head = false;
         block.kind = classify(line, i);
+        if (rules_.short_while && whileLength(line, i) == 2) block.kind = LineKind::kWhile;
         if (rules_.names_variables && keyword(line, i, "SETVN")) block.kind = LineKind::kNames;
         if (block.kind != LineKind::kBlock) {
           block.statement = i;

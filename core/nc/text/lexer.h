@@ -43,6 +43,7 @@ struct LexRules {
   bool keep_repeats = false;
   bool incremental_operator = true;  ///< XI40
   bool comma_addresses = true;       ///< ,C ,R ,A
+  bool short_while = false;          ///< WH[...] is WHILE[...]
   bool names_variables = false;      ///< SETVN is a statement
   AddressSet incremental_addresses = "XYZUVWABCR";
   AddressSet unsigned_addresses = "ONGFTHDLM";  ///< '-' is an error

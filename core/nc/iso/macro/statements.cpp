@@ -206,7 +206,7 @@ Go IsoControl::enterLoop(std::size_t pos) {
   const std::string_view text = c.block.text;
   bool holds = true;
   if (c.block.kind == LineKind::kWhile) {
-    pos += 5;
+    pos += whileLength(text, pos);
     if (!condition(pos, holds)) return stopAtAlarm();
     pos = skipBlanks(text, pos);
     if (!keywordAt(text, pos, "DO")) {

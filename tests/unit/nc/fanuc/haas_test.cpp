@@ -123,7 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
                  "F 17.3205 10 -1", "R 17.3205 10 0", "R 25.9808 15 0", "F 25.9808 15 -1", "R 25.9808 15 0",
                  "R 0 15 0"}},
         // haas-18-G53: under G91 too, with G49 and M5
-        HaasRow{"G53", "G10 L2 P1 X1.\nG0 X1.\nG91 G53 G49 X11. M5", {"R 1 0 0", "R 10 0 0"}},
+        HaasRow{"G53", "G0 X1.\nG91 G53 G49 X10. M5", {"R 1 0 0", "R 10 0 0"}},
+        // haas-18-macro
+        HaasRow{"While", "#1= 0\nWH [#1 LT 2] DO1\nG1 X#1 Y1.\n#1= #1 + 1\nEND1", {"F 0 1 0", "F 1 1 0"}},
+        HaasRow{"WhileOverNothing", "WH[1 EQ 2] DO1\nG1 X1.\nEND1\nG1 X2.", {"F 2 0 0"}},
         HaasRow{"GotoVariable", "#1= 20\nGOTO#1\nG0 X9.\nN20 G0 X1.", {"R 1 0 0"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
@@ -243,6 +246,31 @@ TEST(HaasFiveAxes, ZeroGoesWithTheTables) {
   EXPECT_NEAR(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").norm(), 10.0, 1e-6);
   EXPECT_NEAR(std::abs(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").y()), 10.0, 1e-6);
 }
+
+/// X is where the program says: what it reads.
+double readsX(const std::string& text) { return haas(text).end().x(); }
+
+// haas-18-vars: #10100 and #10500 are #100 and #500, the others storage; tool data are 0 until written
+TEST(HaasMacro, FurtherVariables) {
+  EXPECT_EQ(readsX("#100= 7.\nG1 X#10100"), 7.0);
+  EXPECT_EQ(readsX("#10999= 8.\nG1 X#999"), 8.0);
+  EXPECT_EQ(readsX("#10300= 9.\nG1 X#10300"), 9.0);
+  EXPECT_EQ(readsX("G1 X5.\nX#10301 Y1."), 5.0);  // never written: no word
+  const IsoRun tools = haas("G1 X5.\nX[#8550 + 1]");
+  EXPECT_EQ(tools.end().x(), 1.0);
+  EXPECT_TRUE(tools.tells("fanuc-tool-data"));
+  EXPECT_EQ(readsX("#8550= 4.\nG1 X#8550"), 4.0);
+}
+
+// haas-18-offsets: H geometry #2001, H wear #2201
+TEST(HaasMacro, NumbersOfOffsets) {
+  ControlSettings settings = haasSettings();
+  settings.length_offsets[3] = {50.0, -0.5};
+  EXPECT_EQ(haas("G1 X#2003 Y#2203", settings).end(), Vec3(50.0, -0.5, 0.0));
+}
+
+// haas-18-macro: #3000 = 5 is alarm 1005
+TEST(HaasMacro, AlarmsCountFromAThousand) { EXPECT_EQ(haas("#3000= 5 (NO PART)").error(), "fanuc-1005"); }
 
 // haas-18-Ropt haas-18-L
 TEST(HaasMill, TellsNoMissingR) { EXPECT_FALSE(haas("G81 X3. Z-1.").tells("fanuc-cycle-no-r")); }
