@@ -84,7 +84,8 @@ IsoDialect haasOf(IsoDialect dialect) {
   dialect.rules.local_call = kLocalCall;
   dialect.work_system = haasWorkSystem;
   dialect.lexing.short_while = true;
-  dialect.system_variables = haasMillBanks;
+  const bool lathe = dialect.name == "fanuc-lathe";
+  dialect.system_variables = lathe ? haasLatheBanks : haasMillBanks;
   return dialect;
 }
 

@@ -13,10 +13,6 @@ bool planHaasMove(IsoContext& c, BlockPlan& plan);
 bool planHaasArc(IsoContext& c, BlockPlan& plan);
 /// G28 without axes brings all of them home, Z first.
 bool planHaasReference(IsoContext& c, BlockPlan& plan);
-/// G4 P: milliseconds, with a point seconds.
-bool planHaasDwell(IsoContext& c, BlockPlan& plan);
-/// G103, G187: noted once.
-bool planHaasNoted(IsoContext& c, BlockPlan& plan);
 /// G52 by Setting 33.
 bool planHaasLocalFrame(IsoContext& c, BlockPlan& plan);
 /// G101 X Y Z: mirrored about the zero of the work system. G100: no longer.

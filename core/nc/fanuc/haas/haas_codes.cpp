@@ -7,6 +7,7 @@
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/dialect.h"
 #include "core/nc/fanuc/haas/haas.h"
+#include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/origins.h"
@@ -126,42 +127,18 @@ bool planHaasArc(IsoContext& c, BlockPlan& plan) {
 
 namespace {
 
-bool performHaasDwell(IsoContext& c, BlockPlan& plan) {
-  PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
-  item.value = std::get<Dwell>(plan.payload).seconds;
-  return c.pipe.push(item);
-}
-
 bool performHome(IsoContext& c, BlockPlan& plan) {
   const MachineMove& move = std::get<MachineMove>(plan.payload);
   if (!sendMachineRapid(c, move.via) || !sendMachineRapid(c, move.to)) return false;
   c.settle(move.to);
+  // As with Fanuc the length offset of these axes is over.
+  for (int axis = 0; axis < c.axes.count(); ++axis) {
+    if (plan.next.length[axis] != 0.0) fanucData(c).no_length.set(static_cast<std::size_t>(axis));
+  }
   return true;
 }
 
 }  // namespace
-
-bool planHaasDwell(IsoContext& c, BlockPlan& plan) {
-  plan.motion.target = plan.start;
-  const Word* p = c.ownWord(plan, 'P');
-  if (p == nullptr) {
-    plan.exact_stop = true;
-    return true;
-  }
-  plan.perform = performHaasDwell;
-  return fanucDwellSeconds(c, *p, plan.payload.emplace<Dwell>().seconds);
-}
-
-bool planHaasNoted(IsoContext& c, BlockPlan& plan) {
-  plan.motion.target = plan.start;
-  for (const Address a : {'P', 'E'}) (void)c.word(a);
-  const std::string name = gName(plan.governor->code10);
-  if (c.firstTime("noted " + name)) {
-    c.warn("noted", fmt::format("{} ({}) has no effect in the simulation", name, plan.governor->meaning), {},
-           Severity::kNote);
-  }
-  return true;
-}
 
 bool planHaasReference(IsoContext& c, BlockPlan& plan) {
   if (c.anyAxisWord()) return planAsFanuc(c, plan, gcode::kReference);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/nc/iso/context/words.h"
 #include "core/nc/text/lexer.h"
@@ -138,6 +139,15 @@ bool outlineText(IsoContext& c, SourceText*& text, std::size_t& first) {
   return true;
 }
 
+/// Numbers without a point count as in the program's own blocks.
+bool takeNumbers(IsoContext& c, Block& block) {
+  if (c.dialect.take_words == nullptr) return true;
+  std::swap(c.block, block);
+  const bool good = c.dialect.take_words(c);
+  std::swap(c.block, block);
+  return good;
+}
+
 }  // namespace
 
 bool readOutline(IsoContext& c, const BlockPlan& plan, const Vec2& start, PlaneContour& outline) {
@@ -154,6 +164,7 @@ bool readOutline(IsoContext& c, const BlockPlan& plan, const Vec2& start, PlaneC
   for (std::size_t line = first; line < text->lines().size() && !ends; ++line) {
     if (!lexer.lex(text->lines()[line], block)) return c.fail(lexer.error());
     if (block.percent) continue;
+    if (!takeNumbers(c, block)) return false;
     if (!reader.take(block, line, ends)) return false;
   }
   outline = reader.outline();

@@ -62,4 +62,8 @@ std::unique_ptr<SystemVariables> haasMillBanks(IsoContext& context) {
   return std::make_unique<HaasBanks>(context, fanucMillBanks(context));
 }
 
+std::unique_ptr<SystemVariables> haasLatheBanks(IsoContext& context) {
+  return std::make_unique<HaasBanks>(context, fanucLatheBanks(context));
+}
+
 }  // namespace proveout::nc

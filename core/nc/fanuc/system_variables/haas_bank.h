@@ -29,5 +29,6 @@ class HaasBank final : public VariableBank {
 
 /// See IsoDialect::system_variables.
 std::unique_ptr<SystemVariables> haasMillBanks(IsoContext& context);
+std::unique_ptr<SystemVariables> haasLatheBanks(IsoContext& context);
 
 }  // namespace proveout::nc

@@ -2,6 +2,7 @@
 #include "core/nc/fanuc/haas/haas.h"
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
@@ -28,7 +29,6 @@ constexpr auto kHaasTableG = std::to_array<GCode>({
            "circle, helix, clockwise"),
     action(30, kGroupMotion, kSim, "XYZUVWIJKRQLcr", planHaasArc, false, "fan-3-G03 haas-18-G02",
            "circle, helix, counter-clockwise"),
-    action(40, kOneShot, kTime, "P", planHaasDwell, false, "fan-4-G04 haas-18-G04", "dwell"),
     action(120, kOneShot, kSim, "ZIKQLDF", planHaasRoundPocket, true, "haas-18-G12",
            "round pocket, clockwise"),
     action(130, kOneShot, kSim, "ZIKQLDF", planHaasRoundPocket, true, "haas-18-G13",
@@ -51,8 +51,9 @@ constexpr auto kHaasTableG = std::to_array<GCode>({
     haasCycle(840, "fan-10-G84 haas-18-G84", "right tapping"),
     action(1000, kOneShot, kSim, kAxes, planHaasMirrorOff, true, "haas-18-G100", "mirroring off"),
     action(1010, kOneShot, kSim, kAxes, planHaasMirror, true, "haas-18-G101", "mirroring"),
-    action(1030, kOneShot, kHost, "P", planHaasNoted, false, "haas-18-G103", "limit of the look-ahead"),
-    action(1070, kOneShot, kSim, kAxes, planCylinder, false, "haas-18-G107", "cylindrical interpolation"),
+    action(1030, kOneShot, kHost, "P", planNoted, false, "haas-18-G103", "limit of the look-ahead"),
+    writtenAs(1070, action(71, kOneShot, kSim, kAxes, planFanucCylinder, false, "fan-3-G07.1 haas-18-G107",
+                           "cylindrical interpolation")),
     frameOf(1100),
     frameOf(1110),
     frameOf(1120),
@@ -81,7 +82,7 @@ constexpr auto kHaasTableG = std::to_array<GCode>({
     action(1500, kOneShot, kSim, "XYZPRQIJKDF", planHaasOutlinePocket, true, "haas-18-G150",
            "pocket of any outline"),
     modal(1540, kGroupWorkSystem, kSim, "haas-18-G154", "additional work systems", "P", true),
-    action(1870, kOneShot, kTime, "PE", planHaasNoted, false, "haas-18-G187", "smoothness"),
+    action(1870, kOneShot, kTime, "PE", planNoted, false, "haas-18-G187", "smoothness"),
     writtenAs(2340, modal(gcode::kTipByAngles, kGroupLengthComp, kSim, "haas-18-G143",
                           "tool centre point control", {}, true)),
     action(2540, kOneShot, kSim, {}, planHaasDynamicOffset, true, "haas-18-G143", "dynamic work offset"),

@@ -15,7 +15,7 @@ using Lines = std::vector<std::string>;
 
 /// D1 has that radius; the tool starts at (0, 0, 0); F100, mm.
 IsoRun pocketRun(const std::string& text, double radius) {
-  ControlSettings settings = runAtZero({{"flavour", 1}});
+  ControlSettings settings = runAtZero({{"flavour", 1}, {"rapid", 1}});
   settings.radius_offsets[1] = {radius, 0.0};
   return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100.\n" + text + "\nM30\n", settings};
 }

@@ -12,6 +12,7 @@ using Settings = std::map<std::string, double>;
 
 ControlSettings haasSettings(Settings parameters = {}) {
   parameters["flavour"] = 1;
+  parameters.emplace("rapid", 1.0);  // straight ways
   ControlSettings settings = runAtZero(std::move(parameters));
   settings.radius_offsets[1] = {2.0, 0.0};
   return settings;
@@ -122,8 +123,6 @@ INSTANTIATE_TEST_SUITE_P(
                 {"F 0 0 -1", "R 0 0 0", "R 8.6603 5 0", "F 8.6603 5 -1", "R 8.6603 5 0", "R 17.3205 10 0",
                  "F 17.3205 10 -1", "R 17.3205 10 0", "R 25.9808 15 0", "F 25.9808 15 -1", "R 25.9808 15 0",
                  "R 0 15 0"}},
-        // haas-18-G53: under G91 too, with G49 and M5
-        HaasRow{"G53", "G0 X1.\nG91 G53 G49 X10. M5", {"R 1 0 0", "R 10 0 0"}},
         // haas-18-macro
         HaasRow{"While", "#1= 0\nWH [#1 LT 2] DO1\nG1 X#1 Y1.\n#1= #1 + 1\nEND1", {"F 0 1 0", "F 1 1 0"}},
         HaasRow{"WhileOverNothing", "WH[1 EQ 2] DO1\nG1 X1.\nEND1\nG1 X2.", {"F 2 0 0"}},
@@ -204,6 +203,13 @@ TEST(HaasMill, HomesAllAxes) {
   EXPECT_EQ(haas("G0 X5. Y6. Z7.\nG91 G28 Z0", settings).motions(), (Lines{"R 5 6 7", "R 5 6 300"}));
 }
 
+// haas-18-G53: under G91 too, with G49 and M5
+TEST(HaasMill, MachineCoordinates) {
+  ControlSettings settings = haasSettings();
+  settings.reference_points[0] = Vec3(0, 0, 100);
+  EXPECT_EQ(haas("G0 X1.\nG91 G53 G49 X10. M5", settings).motions(), (Lines{"R 1 0 0", "R 10 0 0"}));
+}
+
 // haas-18-G52: Setting 33 at YASNAC makes it a frame of its own
 TEST(HaasMill, LocalFrameByItself) {
   EXPECT_EQ(haas("G0 X1.\nG52 X5. Y1.\nX1. Y1.\nG54 X1.", haasSettings({{"setting_33", 1}})).motions(),
@@ -219,7 +225,7 @@ TEST(HaasMill, CylinderIsKnown) {
 /// On a machine of the tests: H1 = 100, its zero and the tool's length as in those of five axes.
 IsoRun onMachine(const MachineModel& machine, const Vec3& zero, const std::string& text) {
   ControlSettings settings = settingsOf(machine, zero);
-  settings.parameters["flavour"] = 1;
+  settings.parameters = {{"flavour", 1.0}, {"rapid", 1.0}};
   return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100.\n" + text + "\nM30\n", settings};
 }
 
