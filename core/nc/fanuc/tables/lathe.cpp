@@ -2,6 +2,7 @@
 #include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_plans.h"
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
@@ -152,12 +153,12 @@ constexpr GCode haasFrame(int code10) {
 }
 
 constexpr auto kHaasLatheTableG = std::to_array<GCode>({
-    action(40, kOneShot, kTime, "PXU", planHaasDwell, false, "fan-4-G04 haas-18-G04", "dwell"),
+    action(40, kOneShot, kTime, "PXU", planFanucDwell, false, "fan-4-G04 haas-18-G04", "dwell"),
     action(280, kOneShot, kSim, kAxes, planHaasReference, true, "fan-5-G28 haas-18-G28",
            "to reference point 1 by way of an intermediate point; without axes all of them"),
     action(520, kOneShot, kSim, kAxes, planHaasLocalFrame, true, "fan-6-G52 haas-18-G52",
            "local coordinate system"),
-    action(1030, kOneShot, kHost, "P", planHaasNoted, false, "haas-18-G103", "limit of the look-ahead"),
+    action(1030, kOneShot, kHost, "P", planNoted, false, "haas-18-G103", "limit of the look-ahead"),
     haasFrame(1100),
     haasFrame(1110),
     haasFrame(1120),
@@ -179,7 +180,7 @@ constexpr auto kHaasLatheTableG = std::to_array<GCode>({
     haasFrame(1280),
     haasFrame(1290),
     modal(1540, kGroupWorkSystem, kSim, "haas-18-G154", "additional work systems", "P", true),
-    action(1870, kOneShot, kTime, "PE", planHaasNoted, false, "haas-18-G187", "smoothness"),
+    action(1870, kOneShot, kTime, "PE", planNoted, false, "haas-18-G187", "smoothness"),
 });
 constexpr auto kHaasLatheTableM = std::to_array<MCode>({
     {31, MPhase::kBefore, 0, kHost, {}, "haas-18-M", "chip conveyor forward"},

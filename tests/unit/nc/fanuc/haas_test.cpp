@@ -216,41 +216,20 @@ TEST(HaasMill, LocalFrameByItself) {
             (Lines{"R 1 0 0", "R 6 2 0", "R 1 2 0"}));
 }
 
-// haas-18-G107
-TEST(HaasMill, CylinderIsKnown) {
-  const IsoRun run = haas("G107 A10.");
-  EXPECT_NE(run.error(), "fanuc-010");
-}
-
-/// On a machine of the tests: H1 = 100, its zero and the tool's length as in those of five axes.
-IsoRun onMachine(const MachineModel& machine, const Vec3& zero, const std::string& text) {
-  ControlSettings settings = settingsOf(machine, zero);
-  settings.parameters = {{"flavour", 1.0}, {"rapid", 1.0}};
-  return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100.\n" + text + "\nM30\n", settings};
-}
-
-// haas-18-G143: the tip holds its place while a head turns
-TEST(HaasFiveAxes, TipStaysWhileTheHeadTurns) {
-  for (const char* code : {"G143", "G234"}) {
-    const IsoRun run =
-        onMachine(machineCA(), Vec3::Zero(),
-                  std::string("G54 G49 G0 X0 Y0 Z100. A0 C0\n") + code + " Z100. H1\nG1 A45. F100.");
-    EXPECT_EQ(run.error(), "") << run.message();
-    EXPECT_LT((run.end() - Vec3(0, 0, 100)).norm(), 1e-4) << code;
-  }
-}
-
-// haas-18-G143: X0 Y0 Z0 is the workpiece's zero wherever the tables stand
-TEST(HaasFiveAxes, ZeroGoesWithTheTables) {
-  const Vec3 zero(420, 310, -440);
-  const auto end = [&](const std::string& text) { return onMachine(trunnion('A'), zero, text).end(); };
-  EXPECT_LT(end("G43 H1\nG254\nG0 A40. C70.\nX0 Y0 Z0").norm(), 1e-6);
-  EXPECT_LT(end("G43 H1\nG0 A40. C70.\nG254\nX0 Y0 Z0").norm(), 1e-6);
-  EXPECT_GT(end("G43 H1\nG0 A40. C70.\nX0 Y0 Z0").norm(), 1.0);
-  EXPECT_GT(end("G43 H1\nG254\nG0 A40. C70.\nG255\nX0 Y0 Z0").norm(), 1.0);
-  // The coordinates stay those of the machine: 10 above the zero is along the tool.
-  EXPECT_NEAR(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").norm(), 10.0, 1e-6);
-  EXPECT_NEAR(std::abs(end("G43 H1\nG254\nG0 A90. C0\nX0 Y0 Z10.").y()), 10.0, 1e-6);
+// haas-18-G107: on a cylinder of radius 20 mm, 90 degrees are 31.416 mm
+TEST(HaasMill, Cylinder) {
+  ControlSettings settings = haasSettings();
+  AxisSettings table;
+  table.name = "C";
+  table.number = 4;
+  table.center = Vec3::Zero();
+  settings.axes.push_back(table);
+  const IsoRun run = haas("G0 Z25. C0\nG107 C20.\nG1 Z20. F100.\nC90. X10.\nG107 C0\nG0 Z30.", settings);
+  EXPECT_EQ(run.error(), "") << run.message();
+  double time = 0.0;
+  for (const Motion& m : run.path.motions)
+    if (m.source.line == 6) time += m.time_s;
+  EXPECT_NEAR(time, 60.0 * std::hypot(20.0 * kPi / 2.0, 10.0) / 100.0, 1e-6);
 }
 
 /// X is where the program says: what it reads.
