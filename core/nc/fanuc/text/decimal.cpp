@@ -19,14 +19,16 @@ constexpr AddressSet kFanucIntegers = "DHLMNOSTP";
 constexpr double kMostMm = 999999.999, kMostInch = 99999.9999;
 constexpr double kMostSpeed = 99999.0;
 
+constexpr std::int32_t kDirectionComp = 1410;  // G141 of Haas
+
 /// What the block is, as far as its numbers depend on it.
 struct NumberRules {
   bool inch = false, per_turn = false, inverse = false;
   bool dwell = false, scaling = false, rotation = false, data = false, nurbs = false;
-  bool in_space = false;  ///< I, J, K are a direction (G141)
-  bool thread = false;    ///< F is a lead, Q an angle of the spindle
-  bool cycle = false;     ///< K counts repeats
-  bool turning = false;   ///< a turning cycle: its P, Q, D, K, L have rules of their own
+  bool thread = false;   ///< F is a lead, Q an angle of the spindle
+  bool cycle = false;    ///< K counts repeats
+  bool vector = false;   ///< I, J, K are a direction, which has no unit
+  bool turning = false;  ///< a turning cycle: its P, Q, D, K, L have rules of their own
   bool haas = false, lathe = false, increments = false;
 };
 
@@ -52,9 +54,6 @@ void takeCode(NumberRules& rules, const GCode& code, int number10) {
     case kGroupCycle:
       rules.cycle = code.code10 != gcode::kCycleCancel;
       break;
-    case kGroupRadiusComp:
-      rules.in_space = code.code10 == gcode::kCompInSpace;
-      break;
     case kGroupScaling:
       rules.scaling = code.code10 != gcode::kScalingOff;
       break;
@@ -64,6 +63,7 @@ void takeCode(NumberRules& rules, const GCode& code, int number10) {
     default:
       break;
   }
+  rules.vector = rules.vector || number10 == gcode::kTipByVector || number10 == kDirectionComp;
   rules.dwell = rules.dwell || number10 == 40;
   rules.data = rules.data || number10 == 100;
   rules.turning = rules.turning || (rules.lathe && number10 >= 700 && number10 < 800);
@@ -77,7 +77,8 @@ NumberRules rulesOf(const IsoContext& c) {
   rules.thread = countsLead(c.state.active[kGroupMotion]) && !c.state.inCycle();
   rules.nurbs = c.state.active[kGroupMotion] == 62;
   rules.cycle = c.state.inCycle();
-  rules.in_space = c.state.active[kGroupRadiusComp] == gcode::kCompInSpace;
+  rules.vector =
+      c.state.five.tip == TipControl::kVector || c.state.active[kGroupRadiusComp] == kDirectionComp;
   rules.haas = isHaas(c);
   rules.lathe = isLathe(c);
   rules.increments = c.parameters.flag(FanucParam::kDecimal);
@@ -103,9 +104,9 @@ bool ownRule(const NumberRules& rules, const Word& w) {
       return rules.turning || (rules.data && rules.lathe);
     case 'I':
     case 'J':
-      return rules.scaling || rules.in_space;
+      return rules.vector || rules.scaling;
     case 'K':
-      return rules.scaling || rules.in_space || rules.nurbs || rules.turning || (rules.cycle && !rules.haas);
+      return rules.vector || rules.scaling || rules.nurbs || rules.turning || (rules.cycle && !rules.haas);
     case 'R':
       return rules.nurbs;
     default:
@@ -201,6 +202,14 @@ bool takeFanucWords(IsoContext& c) {
     }
   }
   return true;
+}
+
+double fanucArgument(const IsoContext& c, const Word& w) {
+  constexpr AddressSet kLengths = "XYZUVWABCIJKRQ";
+  const bool bare = !w.point && !w.from_expression && kLengths.has(w.address);
+  if (!bare || !c.parameters.flag(FanucParam::kDecimal)) return w.value;
+  const bool inch = c.state.active[kGroupUnits] == gcode::kInch && !rotary(c, w);
+  return w.value / (inch ? 1e4 : 1e3);
 }
 
 }  // namespace proveout::nc
