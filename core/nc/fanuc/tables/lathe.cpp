@@ -1,4 +1,5 @@
 // Codes of lathes in the systems A, B and C (sections 15 and 16), beside those that mills have too.
+#include "core/nc/fanuc/frames/frames.h"
 #include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_plans.h"
@@ -75,7 +76,7 @@ constexpr auto kLatheTableG = std::to_array<GCode>({
     refused(370, kOneShot, kReject, "fan-16-G37", "tool measuring along Z", false, "XZUWP"),
     refused(680, kGroupRotation, kReject, "fan-9-doubleturret", "mirror image of double turrets"),
     refused(690, kGroupRotation, kReject, "fan-9-doubleturret", "mirror image of double turrets off"),
-    writtenAs(681, action(680, kGroupRotation, kSim, "XYZUVWR", planRotation, false, "fan-9-G68.1",
+    writtenAs(681, action(680, kGroupRotation, kSim, "XYZUVWR", planFanucRotation, false, "fan-9-G68.1",
                           "rotation in the plane")),
     writtenAs(691, modal(690, kGroupRotation, kSim, "fan-9-G68.1", "rotation off")),
     modal(800, kGroupCycle, kSim, "fan-16-G83", "drilling cycle off"),

@@ -281,7 +281,7 @@ TEST(FanucCompProperty, FollowsTheRulesOnRandomContours) {
       ++close;
       continue;
     }
-    const IsoRun run(ControlId::kFanucMill, contour.program(), runAtZero());
+    const IsoRun run(ControlId::kFanucMill, contour.program(), runAtZero({{"rapid", 1}}));
     if (expected.interference || expected.no_intersection) {
       ++refused;
       const std::string error = run.error();

@@ -14,6 +14,7 @@ using Parameters = std::map<std::string, double>;
 /// D1 = 5, D2 = 3, D3 = -5.
 IsoRun mill(const std::string& body, Parameters parameters = {}) {
   ControlSettings settings = runAtZero(std::move(parameters));
+  settings.parameters.emplace("rapid", 1);  // straight
   settings.radius_offsets[1] = {5.0, 0.0};
   settings.radius_offsets[2] = {2.5, 0.5};
   settings.radius_offsets[3] = {-5.0, 0.0};
@@ -87,8 +88,8 @@ TEST(FanucComp, OutsideCorners) {
                                     {175, {"F 5 5 0", "F 5.4168 -4.5452 0"}}};
   for (const Corner& corner : corners) {
     const double angle = -corner.deflection * M_PI / 180.0;
-    const std::string next = fmt::format("X{:.6f} Y{:.6f}\n", 50 * std::cos(angle), 50 * std::sin(angle));
-    const Lines all = motions("G0 X-60 Y-20\nG41 D1 G1 X-50 Y0\nX0\n" + next + "G40 X100 Y-100\n");
+    const std::string next = fmt::format("X{:.3f} Y{:.3f}\n", 5000 * std::cos(angle), 5000 * std::sin(angle));
+    const Lines all = motions("G0 X-60 Y-20\nG41 D1 G1 X-50 Y0\nX0\n" + next + "G40 X9000 Y-9000\n");
     ASSERT_GT(all.size(), 2 + corner.points.size());
     for (std::size_t k = 0; k < corner.points.size(); ++k) {
       EXPECT_EQ(all[2 + k], corner.points[k]) << corner.deflection;

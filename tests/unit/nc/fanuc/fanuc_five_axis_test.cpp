@@ -14,7 +14,8 @@ namespace {
 
 using namespace test;  // NOLINT
 
-Outcome fanucOf(const std::string& text, const ControlSettings& settings) {
+Outcome fanucOf(const std::string& text, ControlSettings settings) {
+  settings.parameters["rapid"] = 1;  // straight
   Outcome out;
   ToolpathBuilder sink(out.path);
   out.summary = interpret(ControlId::kFanucMill, MemoryProgramSource("main.nc", "O1\n" + text + "\nM30\n"),

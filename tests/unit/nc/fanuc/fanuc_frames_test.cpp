@@ -13,6 +13,7 @@ using Lines = std::vector<std::string>;
 IsoRun framed(const std::string& body, const Vec3& g54, const Vec3& g55 = Vec3::Zero(),
               std::map<std::string, double> parameters = {}) {
   ControlSettings settings = runAtZero(std::move(parameters));
+  settings.parameters.emplace("rapid", 1);  // straight
   settings.work_offsets[0] = g54;
   settings.work_offsets[1] = g55;
   settings.work_given[0] = settings.work_given[1] = true;
@@ -20,6 +21,7 @@ IsoRun framed(const std::string& body, const Vec3& g54, const Vec3& g55 = Vec3::
 }
 
 IsoRun plain(const std::string& body, std::map<std::string, double> parameters = {}) {
+  parameters.emplace("rapid", 1);
   return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100\n" + body + "M30\n", runAtZero(std::move(parameters))};
 }
 

@@ -11,6 +11,7 @@ using Lines = std::vector<std::string>;
 
 IsoRun mill(const std::string& body, std::map<std::string, double> parameters = {}) {
   ControlSettings settings = runAtZero(std::move(parameters));
+  settings.parameters.emplace("rapid", 1);  // straight
   settings.length_offsets[1] = {50.0, 0.0};
   settings.length_offsets[2] = {70.0, 0.5};
   settings.radius_offsets[1] = {5.0, 0.0};
@@ -44,7 +45,7 @@ TEST(FanucTools, G43AloneActsWithTheNextMotionOfItsAxis) {
 
 // Acceptance 58, fan-5-lengthsuspend: machine moves are of the nose, and end the vector of their axis.
 TEST(FanucTools, MachineMovesEndTheVector) {
-  ControlSettings settings = runAtZero();
+  ControlSettings settings = runAtZero({{"rapid", 1}});
   settings.work_offsets[0] = Vec3(0, 0, -300);
   settings.work_given[0] = true;
   settings.start = Vec3(0, 0, 100);

@@ -11,6 +11,7 @@ using Lines = std::vector<std::string>;
 
 IsoRun mill(const std::string& body, std::map<std::string, double> parameters = {}) {
   ControlSettings settings = runAtZero(std::move(parameters));
+  settings.parameters.emplace("rapid", 1);  // straight
   settings.radius_offsets[1] = {5.0, 0.0};
   return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100\n" + body + "M30\n", settings};
 }
@@ -81,6 +82,13 @@ TEST(FanucTransforms, Scales) {
   EXPECT_EQ(mill("G51 X0 Y0 P0\n").error(), "fanuc-142");
   EXPECT_EQ(mill("G51 X0 Y0 P-2000\n").error(), "fanuc-142");
   EXPECT_EQ(mill("G41 D1 G1 X5 Y5\nG51 X0 Y0 P2000\n").error(), "fanuc-141");
+}
+
+// Q and the retract of G73 are not scaled: R 4, Z -12, pecks of 5, 0.5 back.
+TEST(FanucTransforms, PecksAreNotScaled) {
+  EXPECT_EQ(motions("G0 Z10\nG51 X0 Y0 Z0 P2000\nG99 G73 X5 Z-6 R2 Q5\nG80\n"),
+            (Lines{"R 0 0 10", "R 10 0 10", "R 10 0 4", "F 10 0 -1", "R 10 0 -0.5", "F 10 0 -6",
+                   "R 10 0 -5.5", "F 10 0 -11", "R 10 0 -10.5", "F 10 0 -12", "R 10 0 4"}));
 }
 
 // fan-9-G51arc
