@@ -86,7 +86,7 @@ TEST(FanucTools, AMissingNumberIsToldWithItsTool) {
   }
   EXPECT_TRUE(told);
   EXPECT_EQ(mill("G43 H1000 Z1\n").error(), "fanuc-030");
-  EXPECT_EQ(mill("G43 H1.5 Z1\n").error(), "fanuc-030");
+  EXPECT_EQ(mill("G43 H1.5 Z1\n").error(), "fanuc-007");
 }
 
 // fan-7-T fan-7-M06
