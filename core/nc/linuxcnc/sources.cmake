@@ -33,6 +33,8 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/comp/comp_stage.cpp
   nc/linuxcnc/cycles/drill.cpp
   nc/linuxcnc/cycles/thread.cpp
+  nc/linuxcnc/flavours/flavours.cpp
+  nc/linuxcnc/flavours/mach3.cpp
   nc/linuxcnc/frames/frames.cpp
   nc/linuxcnc/frames/tools.cpp
   nc/linuxcnc/model/channel.cpp

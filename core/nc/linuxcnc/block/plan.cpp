@@ -5,6 +5,7 @@
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/tools/tools.h"
 #include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/linuxcnc/text/lcn_unused.h"
 
@@ -16,6 +17,7 @@ bool lcnTakeG(IsoContext& c, BlockPlan& plan, const Word& w) {
   const GCode* code = code10 < 0 ? nullptr : c.codes.g(code10);
   const std::string text(c.block.text.substr(static_cast<std::size_t>(w.columns.begin - 1),
                                              static_cast<std::size_t>(w.columns.end - w.columns.begin)));
+  if (code10 >= 0 && !flavourTakesG(c, w, code10)) return false;
   if (code == nullptr)
     return c.alarm(SharedAlarm::kNotImplemented, text + " is not a code of this control", {}, w.columns);
   if (!code->built)
@@ -36,6 +38,10 @@ bool lcnTakeG(IsoContext& c, BlockPlan& plan, const Word& w) {
 }
 
 bool lcnTakeCodes(IsoContext& c, BlockPlan& plan) {
+  if (c.block.present.has('M')) {
+    for (const Word& w : c.block.words)
+      if (w.address == 'M' && !flavourTakesM(c, w)) return false;
+  }
   if (!c.block.present.has('G')) return true;
   for (const Word& w : c.block.words) {
     if (w.address == 'G' && !lcnTakeG(c, plan, w)) return false;
@@ -97,8 +103,9 @@ bool lcnPlanFeedWords(IsoContext& c, BlockPlan& plan) {
   LinuxCncModal& next = linuxCncChannel(c).next;
   if (const GCode* mode = plan.by_group[kGroupFeedMode]) {
     plan.next.active[kGroupFeedMode] = mode->code10;
-    // The word alone takes F away, in the same mode too.
-    next.feed = next.feed_number = plan.next.feed = 0.0;
+    // The word alone takes F away, in the same mode too; GRBL keeps it there.
+    const bool same = mode->code10 == c.state.active[kGroupFeedMode];
+    if (!(same && isGrbl(c))) next.feed = next.feed_number = plan.next.feed = 0.0;
   }
   const Word* f = c.word('F');
   if (f == nullptr) return true;
@@ -177,8 +184,9 @@ bool lcnPlanModes(IsoContext& c, BlockPlan& plan) {
   plan.next.axes.diameter[0] = plan.next.active[kGroupLathe] == lcn::kDiameterMode;
   // What the offsets change is planned with the words as the line before has them, but with these units.
   if (!planLcnComp(c, plan) || !planLcnLength(c, plan) || !planLcnFrame(c, plan)) return false;
+  if (!planMach3Transforms(c, plan)) return false;
   for (const auto group :
-       {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn})
+       {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn, kGroupPolarData})
     lcnSet(plan, group);
   if (plan.frames_changed) {
     plan.new_chain = c.chainOf(plan.next);
@@ -229,6 +237,10 @@ bool lcnCheckWords(IsoContext& c, const BlockPlan& plan) {
 }  // namespace
 
 bool lcnFail(IsoContext& c, const char* name, std::string message, const Word* at) {
+  if (const int number = isGrbl(c) ? grblError(name) : 0; number != 0) {
+    return c.fail(fmt::format("error-{}", number), fmt::format("error:{} {}", number, message),
+                  at == nullptr ? Columns{} : at->columns);
+  }
   return c.fail(name, std::move(message), at == nullptr ? Columns{} : at->columns);
 }
 
@@ -243,7 +255,7 @@ bool planLinuxCncBlock(IsoContext& c, BlockPlan& plan) {
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
   return lcnTakeCodes(c, plan) && collectM(c, plan) && lcnChooseGovernor(c, plan) &&
          lcnPlanFeedWords(c, plan) && lcnPlanSpeedWords(c, plan) && lcnPlanModes(c, plan) &&
-         lcnGovern(c, plan) && lcnCheckWords(c, plan);
+         flavourTakesWords(c, plan) && lcnGovern(c, plan) && lcnCheckWords(c, plan);
 }
 
 void powerOnLinuxCnc(const IsoContext& c, IsoState& s) {
@@ -252,6 +264,7 @@ void powerOnLinuxCnc(const IsoContext& c, IsoState& s) {
   s.active[kGroupArcCentre] = lcn::kCentreIncremental;
   s.active[kGroupLathe] = lcn::kRadiusMode;
   s.feed = 0.0;
+  if (isGrbl(c)) s.active[kGroupMotion] = gcode::kRapid;
   if (!c.parameters.flag(LinuxCncParam::kLathe)) return;
   s.active[kGroupPlane] = gcode::kPlaneZX;
   const WorkPlane plane{PlaneFrame(Plane::kZX)};

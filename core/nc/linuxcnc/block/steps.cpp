@@ -69,6 +69,7 @@ bool lcnFunction(IsoContext& c, BlockPlan& plan, const LinuxCncStep& step) {
 bool performLinuxCncSteps(IsoContext& c, BlockPlan& plan) {
   LinuxCncChannel& own = linuxCncChannel(c);
   applyLinuxCncFrames(c, plan);
+  own.arc_mode_said = own.arc_mode_said || plan.by_group[kGroupArcCentre] != nullptr;
   if (plan.next.compOn() && !own.comp.linked())
     own.comp.engage(plan.next.workPlane().of(c.chain.workOf(c.position)));
   for (const LinuxCncStep& step : own.steps) {

@@ -5,6 +5,7 @@
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 
 namespace proveout::nc {
 namespace {
@@ -87,6 +88,7 @@ bool lcnTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
       target[word.axis] = plan.next.incremental() ? plan.start[word.axis] + value : value;
     }
     if (!lcnPolar(c, plan, target)) return false;
+    if (plan.next.active[kGroupPolarData] == gcode::kPolarData && !mach3Polar(c, plan, target)) return false;
   }
   return lcnInReach(c, plan, target);
 }

@@ -5,6 +5,7 @@
 
 #include "core/geometry/degrees.h"
 #include "core/nc/iso/context/origins.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 
 namespace proveout::nc {
 namespace {
@@ -31,7 +32,8 @@ bool lcnTakeFrames(IsoContext& c, BlockPlan& plan) {
   WorkFrames frames = c.registers.frames;
   frames.shift92 = change.in_force;
   if (change.id > 0) frames.system(change.id) = change.system;
-  plan.new_chain = frames.chain(ProgramMap(), plan.next.work_system, plan.next.length);
+  plan.new_chain =
+      frames.chain(programMap(plan.next.transforms, c.axes), plan.next.work_system, plan.next.length);
   plan.chain = &*plan.new_chain;
   plan.start = plan.motion.target = plan.chain->programOf(c.machine);
   plan.frames_changed = plan.flush = true;
@@ -93,6 +95,8 @@ bool planLcnFrame(IsoContext& c, BlockPlan& plan) {
   plan.next.active[kGroupWorkSystem] = code->code10;
   plan.next.work_system = linuxCncSystem(lcnSystemOf(code->code10));
   plan.frames_changed = true;
+  if (linuxCncFlavour(c) == LinuxCncFlavour::kMach3 && code->code10 == 540 && !planMach3Frame(c, plan))
+    return false;
   if (lacksWorkOffset(c.settings, plan.next.work_system) &&
       c.registers.frames.system(plan.next.work_system).offset == AxisPoint()) {
     const std::string name = gName(code->code10);

@@ -105,6 +105,7 @@ class LinuxCncChannel final : public MakerData {
   int stores_home = 0;                    ///< 281, 301: the block in hand is G28.1, G30.1
   LinuxCncToolData tool_data;
   AxisPoint home28, home30;                     ///< of G28 and G30, machine coordinates
+  bool arc_mode_said = false;                   ///< the program has given G90.1 or G91.1
   bool homes_known = false;                     ///< somebody said where they are
   AxisPoint shift;                              ///< of G92 and G52 as #5211 keeps it, program coordinates
   bool shift_on = false;                        ///< #5210

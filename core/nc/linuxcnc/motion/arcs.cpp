@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {
@@ -24,7 +25,15 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
   const PlaneFrame frame(plan.next.plane());
   const char* const planes[] = {"xy", "xz", "yz"};
   const char* const name = planes[static_cast<int>(plan.next.plane())];
-  const bool absolute = plan.next.active[kGroupArcCentre] == lcn::kCentreAbsolute;
+  const bool by_setting = linuxCncFlavour(c) == LinuxCncFlavour::kMach3 &&
+                          !linuxCncChannel(c).arc_mode_said && plan.by_group[kGroupArcCentre] == nullptr;
+  if (by_setting)
+    c.warnOnce("arc mode", "setting",
+               "whether I, J, K count from the start is a setting of Mach3 (arc_centre of the job): " +
+                   std::string(c.parameters.flag(LinuxCncParam::kArcCentre) ? "absolute" : "incremental") +
+                   " is taken");
+  const bool absolute = by_setting ? c.parameters.flag(LinuxCncParam::kArcCentre)
+                                   : plan.next.active[kGroupArcCentre] == lcn::kCentreAbsolute;
   arc.center = arc.start;
   int given = 0;
   for (int axis = 0; axis < 3; ++axis) {
@@ -40,6 +49,7 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
     return lcnFail(c, "arc-center",
                    "Both offsets must be specified in absolute ijk mode (G90.1): one of I, J, K is missing");
   const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
+  if (isGrbl(c)) return grblRadii(c, r1, r2);
   const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
   const double tolerance = c.parameters[LinuxCncParam::kArcTolerance] * std::sqrt(2.0);
   if (difference > 100.0 * tolerance || (difference > tolerance && difference > kLcnRadiusShare * larger)) {
@@ -57,7 +67,7 @@ bool lcnRadius(IsoContext& c, const BlockPlan& plan, const Word& r, LcnArc& arc)
   const Vec2 chord = arc.end - arc.start;
   const double half = 0.5 * chord.norm();
   if (!(half > 0.0)) return lcnFail(c, "arc-end", "Current point same as end point of arc", &r);
-  if (half - radius > kLcnReachMm)
+  if (half - radius > (isGrbl(c) ? 0.0 : kLcnReachMm))
     return lcnFail(
         c, "arc-reach",
         fmt::format("Arc radius too small to reach end point: R is {:.6g} mm, half of the chord {:.6g}",

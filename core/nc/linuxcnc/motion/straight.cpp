@@ -3,6 +3,8 @@
 
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {
 namespace {
@@ -70,7 +72,14 @@ bool planLcnDwell(IsoContext& c, BlockPlan& plan) {
   const Word* p = c.word('P');
   if (p == nullptr) return lcnFail(c, "dwell", "Dwell time P word missing with g4");
   if (p->value < 0.0) return lcnFail(c, "dwell", "Negative P word used", p);
-  linuxCncChannel(c).steps.push_back({.kind = LinuxCncStep::Kind::kDwell, .to = {}, .value = p->value});
+  const bool mach3 = linuxCncFlavour(c) == LinuxCncFlavour::kMach3;
+  if (mach3)
+    c.warnOnce("dwell unit", "setting",
+               "whether P of G4 is seconds or milliseconds is a setting of Mach3: dwell_unit of the job", {});
+  const double scale = mach3 && c.parameters.flag(LinuxCncParam::kDwellUnit) ? 1e-3 : 1.0;
+  linuxCncChannel(c).steps.push_back(
+      {.kind = LinuxCncStep::Kind::kDwell, .to = {}, .value = p->value * scale});
+  plan.perform = performLinuxCncSteps;
   return true;
 }
 

@@ -17,6 +17,9 @@ const ParameterTable& linuxCncParameters() {
         .add(LinuxCncParam::kUnits,
              choice("units", kNoNumber, 0, "mm inch", "of the machine: tool table, parameters 5161 to 5390"))
         .add(LinuxCncParam::kLathe, bit("lathe", kNoNumber, kNamedBit, kChannel, 0, "starts in G18 and G8"))
+        .add(LinuxCncParam::kDwellUnit, choice("dwell_unit", kNoNumber, 0, "s ms", "of P of G4 in Mach3"))
+        .add(LinuxCncParam::kArcCentre,
+             choice("arc_centre", kNoNumber, 0, "incremental absolute", "what I, J, K count from in Mach3"))
         .add(LinuxCncParam::kArcTolerance,
              number("arc_tolerance", kNoNumber, kChannel, 0.02, 0.0, 10.0,
                     "mm, CENTER_ARC_RADIUS_TOLERANCE: times the root of 2 the radii of an arc may differ"))

@@ -2,6 +2,7 @@
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
 #include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/tables/tables.h"
 
 namespace proveout::nc {
@@ -34,6 +35,11 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     modal(80, kGroupLathe, kSim, "lcn-4-G8", "X words are radii"),
     action(100, kOneShot, kSim, "XYZABCUVWLPRIJQ", planLcnData, true,
            "lcn-4-G10L0 lcn-4-G10L1 lcn-4-G10L2 lcn-4-G10L10 lcn-4-G10L20", "data of frames and tools"),
+    action(120, kOneShot, kSim, "I", planMach3Circle, false, "lcn-6-mach3",
+           "circle about the place, clockwise"),
+    action(130, kOneShot, kSim, "I", planMach3Circle, false, "lcn-6-mach3", "circle, counter-clockwise"),
+    modal(150, kGroupPolarData, kSim, "lcn-6-mach3", "polar words off"),
+    modal(160, kGroupPolarData, kSim, "lcn-6-mach3", "polar words"),
     modal(170, kGroupPlane, kSim, "lcn-4-G17", "plane XY"),
     modal(180, kGroupPlane, kSim, "lcn-4-G18", "plane XZ"),
     modal(190, kGroupPlane, kSim, "lcn-4-G19", "plane YZ"),
@@ -46,8 +52,10 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     action(281, kOneShot, kState, {}, planLcnStoreHome, true, "lcn-4-G28.1", "store the point of G28"),
     action(300, kOneShot, kSim, kLcnAxes, planLcnHome, true, "lcn-4-G30", "to the stored point of G30.1"),
     action(301, kOneShot, kState, {}, planLcnStoreHome, true, "lcn-4-G30.1", "store the point of G30"),
+    lcnMotion(310, {}, planLcnProbe, "lcn-6-mach3", "probe"),
     lcnMotion(330, "K", planLcnThread, "lcn-3-G33", "synchronous line"),
     lcnMotion(331, "KI", planLcnTap, "lcn-3-G33.1", "rigid tap"),
+    refused(370, kOneShot, kReject, "lcn-6-other", "measuring of a tool, of PathPilot"),
     lcnMotion(382, {}, planLcnProbe, "lcn-3-G38.2", "probe towards, contact needed"),
     lcnMotion(383, {}, planLcnProbe, "lcn-3-G38.2", "probe towards"),
     lcnMotion(384, {}, planLcnProbe, "lcn-3-G38.5", "probe away, loss of contact needed"),
@@ -62,7 +70,10 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     modal(430, kGroupLengthComp, kSim, "lcn-4-G43 lcn-4-G43keep", "offset of the tool table", "H", true),
     modal(431, kGroupLengthComp, kSim, "lcn-4-G43.1", "offset by words", "XYZABCUVW", true),
     modal(432, kGroupLengthComp, kSim, "lcn-4-G43.2", "another offset on top", "XYZABCUVWH", true),
+    refused(470, kOneShot, kReject, "lcn-6-other", "engraving of PathPilot"),
     modal(490, kGroupLengthComp, kSim, "lcn-4-G49", "offset off", {}, true),
+    modal(500, kGroupScaling, kSim, "lcn-6-mach3", "factors off"),
+    modal(510, kGroupScaling, kSim, "lcn-6-mach3", "factors of X Y Z", "XYZ"),
     action(520, kOneShot, kSim, kLcnAxes, planLcnSetPosition, true, "lcn-4-G52", "shift of all frames"),
     action(530, kOneShot, kSim, {}, nullptr, false, "lcn-4-G53", "machine coordinates in this line"),
     lcnFrame(540, "lcn-4-G54", "frame 1"),
@@ -77,6 +88,8 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     modal(610, kGroupCutting, kTime, "lcn-4-G61", "exact path"),
     modal(611, kGroupCutting, kTime, "lcn-4-G61.1", "exact stop"),
     modal(640, kGroupCutting, kTime, "lcn-4-G64", "blending", "PQR"),
+    modal(680, kGroupRotation, kSim, "lcn-6-mach3", "rotation", "ABRI"),
+    modal(690, kGroupRotation, kSim, "lcn-6-mach3", "rotation off"),
     lcnMotion(730, "RQL", planLcnCycle, "lcn-3-G73 lcn-3-sticky lcn-3-L lcn-3-cycleerr", "drill, chip break"),
     lcnMotion(740, "RPL", planLcnCycle, "lcn-3-G74", "left tapping"),
     lcnMotion(760, "PIJKRQHEL", planLcnThreadCycle, "lcn-3-G76", "thread in several passes"),

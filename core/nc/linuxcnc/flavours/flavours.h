@@ -1,0 +1,36 @@
+// What GRBL, Mach3 and others that read LinuxCNC's language take and what they do in another way.
+#pragma once
+
+#include <string_view>
+
+#include "core/nc/linuxcnc/block/block.h"
+
+namespace proveout::nc {
+
+enum class LinuxCncFlavour : std::uint8_t { kLinuxCnc, kGrbl, kMach3, kPathPilot, kSmoothie, kGrblHal };
+
+LinuxCncFlavour linuxCncFlavour(const IsoContext& c);
+/// GRBL and those that follow it: errors have numbers, few codes.
+bool isGrbl(const IsoContext& c);
+
+/// Whether the flavour has the G or M code. False: reported.
+bool flavourTakesG(IsoContext& c, const Word& w, int code10);
+bool flavourTakesM(IsoContext& c, const Word& w);
+/// The words of a line that only a flavour refuses. False: reported.
+bool flavourTakesWords(IsoContext& c, const BlockPlan& plan);
+/// Number of GRBL's error for a name of ours; 0: none.
+int grblError(std::string_view name);
+/// Radii of an arc in GRBL: error 33. False: reported.
+bool grblRadii(IsoContext& c, double r1, double r2);
+
+// Plan functions of Mach3.
+/// G12 G13: a circle about the present place.
+bool planMach3Circle(IsoContext& c, BlockPlan& plan);
+/// G68 A B R, G69, G50, G51 X Y Z: parts of the modal state. False: reported.
+bool planMach3Transforms(IsoContext& c, BlockPlan& plan);
+/// G54 P n. False: reported.
+bool planMach3Frame(IsoContext& c, BlockPlan& plan);
+/// G16: X is the radius, Y the angle (of the plane's axes). False: reported.
+bool mach3Polar(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+
+}  // namespace proveout::nc
