@@ -5,16 +5,18 @@ DEMO_OUT ?= out/$(notdir $(DEMO))
 BENCH ?=
 BASE ?=
 MINUTES ?= 5
+COUNT ?= 200
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps configure program build demo test soak study bench asan tsan clean
+.PHONY: help deps configure program build demo test soak study peer bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
 	@echo 'make test   build the program and the tests, then run the whole test suite'
 	@echo 'make soak   random whole jobs against the laws of tests/soak, some of a wire, and the second soak; MINUTES=$(MINUTES) each, SEED=$(SEED)'
 	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
+	@echo 'make peer   random programs of LinuxCNC here and in its interpreter rs274, where that is installed; COUNT=$(COUNT), SEED=$(SEED)'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well; BASE=COMMIT builds that'
@@ -60,6 +62,10 @@ study: configure
 	PROVEOUT_STUDY_COUNT=100 build/release/bin/planted_causes
 	PROVEOUT_REFERENCE_PROGRAMS=100 PROVEOUT_REFERENCE_FACETS=96 build/release/bin/reference_test
 	PROVEOUT_RANDOM_WIRES=40 PROVEOUT_RANDOM_WIRE=110 build/release/bin/random_mesh_test --gtest_filter='*RandomWire*'
+
+peer: configure
+	cmake --build --preset release --target peer -j $(JOBS)
+	build/release/bin/peer $(COUNT) $(SEED) out/peer
 
 bench: configure
 	cmake --build --preset release --target benches -j $(JOBS)

@@ -32,6 +32,8 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/comp/comp_codes.cpp
   nc/linuxcnc/comp/comp_stage.cpp
   nc/linuxcnc/cycles/drill.cpp
+  nc/linuxcnc/cycles/profile.cpp
+  nc/linuxcnc/cycles/rough.cpp
   nc/linuxcnc/cycles/thread.cpp
   nc/linuxcnc/flavours/flavours.cpp
   nc/linuxcnc/flavours/mach3.cpp

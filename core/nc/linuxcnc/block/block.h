@@ -60,6 +60,7 @@ bool planLcnTap(IsoContext& c, BlockPlan& plan);
 bool planLcnProbe(IsoContext& c, BlockPlan& plan);
 bool planLcnCycle(IsoContext& c, BlockPlan& plan);
 bool planLcnThreadCycle(IsoContext& c, BlockPlan& plan);
+bool planLcnRough(IsoContext& c, BlockPlan& plan);
 bool planLcnData(IsoContext& c, BlockPlan& plan);
 bool planLcnSetPosition(IsoContext& c, BlockPlan& plan);
 bool planLcnShiftOff(IsoContext& c, BlockPlan& plan);

@@ -1,0 +1,89 @@
+// GRBL, Mach3 and others beside LinuxCNC. What they do is public practice (their documentation), not a run.
+#include <gtest/gtest.h>
+
+#include "tests/unit/nc/linuxcnc/linuxcnc_cases.h"
+
+namespace proveout::test {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+constexpr double kGrblFlavour = 1, kMach3Flavour = 2, kPathPilotFlavour = 3, kSmoothieFlavour = 4,
+                 kGrblHalFlavour = 5;
+
+IsoRun runFlavour(double flavour, const std::string& lines, std::map<std::string, double> more = {}) {
+  more["flavour"] = flavour;
+  return IsoRun(ControlId::kLinuxCnc, lines + "\nM2\n", lcnSettings(more));
+}
+
+// lcn-6-grbl: G0 holds from the start, and F through G94.
+TEST(LinuxCncFlavours, RunsProgramsOfGrbl) {
+  const IsoRun run =
+      runFlavour(kGrblFlavour, "G21\nX1\nF100 G94\nG1 X2\nG94\nG2 X4 Y2 J2\nG10 L20 P1 X0\nG0 X1");
+  EXPECT_EQ(run.error(), "") << run.message();
+  EXPECT_EQ(run.motions(), (Lines{"R 1 0 0", "F 2 0 0", "A 4 2 0 c 2 2 0 -270", "R 5 2 0"}));
+}
+
+// lcn-6-grbl: no cycles, no variables, no compensation: errors by number.
+TEST(LinuxCncFlavours, RefusesWhatGrblHasNot) {
+  for (const char* line :
+       {"G81 X1 Z-1 R2 F9", "G41 D1", "G43 H1", "G90.1", "G64 P.1", "G5 I1 J1 P1 Q1 X3", "M98 P1", "M66 P1"})
+    EXPECT_EQ(runFlavour(kGrblFlavour, line).error(), "linuxcnc-error-20") << line;
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G0 G1 X1").error(), "linuxcnc-error-21");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G1 X1").error(), "linuxcnc-error-22");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G4").error(), "linuxcnc-error-28");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G0 X1 R3").error(), "linuxcnc-error-36");
+}
+
+// lcn-6-grblarc: other tolerances, and a full circle names an end.
+TEST(LinuxCncFlavours, HoldsArcsToTheRulesOfGrbl) {
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 I5").error(), "linuxcnc-error-26");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X0 Y0 I5").motions(), (Lines{"A 0 0 0 c 5 0 0 -360"}));
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X10 Y0 I5.01").error(), "linuxcnc-error-33");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X10 Y0 I5.002").error(), "");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X400 Y0 I200.05").error(), "");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X20 R9.9").error(), "linuxcnc-error-34");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X20").error(), "linuxcnc-error-35");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X0 Y0 I5 P2").error(), "linuxcnc-error-36");
+}
+
+// lcn-6-E
+TEST(LinuxCncFlavours, RefusesExtruders) {
+  EXPECT_EQ(runFlavour(kSmoothieFlavour, "F100 G1 X1 E3").error(), "linuxcnc-extruder");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G1 X1 E3").error(), "linuxcnc-extruder");
+}
+
+// lcn-6-mach3: circles, rotation, factors, polar words, frames by P, dwells.
+TEST(LinuxCncFlavours, RunsCodesOfMach3) {
+  const IsoRun circle = runFlavour(kMach3Flavour, "F100\nG0 X5\nG12 I3\nG13 I2");
+  EXPECT_EQ(circle.error(), "") << circle.message();
+  EXPECT_EQ(circle.motions(), (Lines{"R 5 0 0", "F 8 0 0", "A 8 0 0 c 5 0 0 -360", "F 5 0 0", "F 7 0 0",
+                                     "A 7 0 0 c 5 0 0 360", "F 5 0 0"}));
+  const IsoRun turned = runFlavour(kMach3Flavour, "F100\nG68 A10 B0 R90\nG0 X12 Y0\nG69\nG0 X1 Y1");
+  EXPECT_EQ(turned.error(), "") << turned.message();
+  EXPECT_EQ(turned.motions(), (Lines{"R 10 2 0", "R 1 1 0"}));
+  const IsoRun scaled = runFlavour(kMach3Flavour, "F100\nG51 X2 Y2\nG0 X3 Y1\nG50\nG0 X3");
+  EXPECT_EQ(scaled.error(), "") << scaled.message();
+  EXPECT_EQ(scaled.motions(), (Lines{"R 6 2 0", "R 3 2 0"}));
+  const IsoRun polar = runFlavour(kMach3Flavour, "G16\nG0 X10 Y90\nG15\nG0 X1");
+  EXPECT_EQ(polar.motions(), (Lines{"R 0 10 0", "R 1 10 0"}));
+  EXPECT_EQ(runFlavour(kMach3Flavour, "G54 P300").error(), "linuxcnc-data");
+  const IsoRun dwell = runFlavour(kMach3Flavour, "G4 P500", {{"dwell_unit", 1}});
+  EXPECT_TRUE(dwell.tells("linuxcnc-setting"));
+  EXPECT_NEAR(dwell.summary.cycle_s, 0.5, 1e-9);
+  const IsoRun centre = runFlavour(kMach3Flavour, "F100 G0 X10\nG2 X20 Y0 I15 J0", {{"arc_centre", 1}});
+  EXPECT_EQ(centre.motions(), (Lines{"R 10 0 0", "A 20 0 0 c 15 0 0 -180"}));
+  // They are codes of no other control of the kin.
+  EXPECT_EQ(runFlavour(0, "G12 I3").error(), "linuxcnc-unknown-code");
+}
+
+// lcn-6-other
+TEST(LinuxCncFlavours, KnowsOthers) {
+  EXPECT_EQ(runFlavour(kGrblHalFlavour, "F100 G0 Z10\nG81 X1 Z-1 R2").error(), "");
+  EXPECT_EQ(runFlavour(kGrblHalFlavour, "G41 D1").error(), "linuxcnc-error-20");
+  EXPECT_EQ(runFlavour(kPathPilotFlavour, "G37 H1").error(), "linuxcnc-unknown-code");
+  EXPECT_EQ(runFlavour(kPathPilotFlavour, "F100 G0 Z10\nG81 X1 Z-1 R2").error(), "");
+}
+
+}  // namespace
+}  // namespace proveout::test
