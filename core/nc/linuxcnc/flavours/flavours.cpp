@@ -49,6 +49,7 @@ constexpr auto kGrblErrors = std::to_array<std::pair<std::string_view, int>>({
     {"dwell", 28},
     {"probe", 33},
     {"comp", 20},
+    {"duplicate-word", 25},
 });
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/characters.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 #include "core/nc/linuxcnc/text/lcn_groups.h"
 
@@ -33,14 +34,27 @@ bool LinuxCncLanguage::read(const SourceText& text, std::size_t line, Block& blo
   o_word_.reset();
   calls_ = false;
   Columns at;
-  bool good = takeLcnLine(block.text, line_, fault_);
-  if (!good) {
+  const std::size_t first = block.text.find_first_not_of(" \t");
+  const bool grbl = isGrbl(c_);
+  const bool command = grbl && first != std::string_view::npos &&
+                       std::string_view("$?!~").find(block.text[first]) != std::string_view::npos;
+  bool good = !command && takeLcnLine(block.text, line_, fault_);
+  if (command) {
+    fault("sender-command", "a command of the sender, which no program has: leave the line out", first,
+          first + 1);
+    at = {static_cast<int>(first) + 1, static_cast<int>(first) + 2};
+  } else if (!good) {
     at = {static_cast<int>(fault_.begin) + 1, static_cast<int>(fault_.end) + 1};
   } else {
     good = line_.text.starts_with('%') ? readPercent(text, line, block) : readItems(0, block);
     if (!good) at = line_.columnsOf(fault_.begin, fault_.end);
   }
   if (good) return true;
+  if (const int number = grbl ? grblError(fault_.name) : 0; number != 0) {
+    error = {c_.alarms.table().code(DiagnosticName(fmt::format("error-{}", number))),
+             fmt::format("error:{} {}", number, fault_.message), at};
+    return false;
+  }
   error = {c_.alarms.table().code(DiagnosticName(fault_.name)), fault_.message, at};
   return false;
 }

@@ -127,8 +127,15 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     modal(990, kGroupReturn, kSim, "lcn-3-G99", "cycles return to R"),
 });
 
+constexpr auto kLinuxCncFlavourTable = std::to_array<FeatureRow>({
+    {"grbl", kSim, "lcn-6-grbl", "what GRBL 1.1 takes"},
+    {"$ ? ! ~", kReject, "lcn-6-grbldollar", "commands of the sender"},
+    {"grbl arcs", kReject, "lcn-6-grblarc", "errors 26, 33, 34, 35 of GRBL"},
+    {"E", kReject, "lcn-6-E", "extruder words"},
+});
+
 }  // namespace
 
-CodeTable linuxCncMotionTable() { return {kLinuxCncMotionTableG, {}, {}}; }
+CodeTable linuxCncMotionTable() { return {kLinuxCncMotionTableG, {}, kLinuxCncFlavourTable}; }
 
 }  // namespace proveout::nc

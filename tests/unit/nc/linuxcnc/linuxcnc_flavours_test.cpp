@@ -26,13 +26,13 @@ TEST(LinuxCncFlavours, RunsProgramsOfGrbl) {
 
 // lcn-6-grbl: no cycles, no variables, no compensation: errors by number.
 TEST(LinuxCncFlavours, RefusesWhatGrblHasNot) {
-  for (const char* line :
-       {"G81 X1 Z-1 R2 F9", "G41 D1", "G43 H1", "G90.1", "G64 P.1", "G5 I1 J1 P1 Q1 X3", "M98 P1", "M66 P1"})
+  for (const char* line : {"G81 X1 Z-1 R2 F9", "G41 D1", "G43 H1", "G90.1", "G64 P.1", "G5 I1 J1 P1 Q1 X3"})
     EXPECT_EQ(runFlavour(kGrblFlavour, line).error(), "linuxcnc-error-20") << line;
   EXPECT_EQ(runFlavour(kGrblFlavour, "G0 G1 X1").error(), "linuxcnc-error-21");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G1 X1").error(), "linuxcnc-error-22");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G4").error(), "linuxcnc-error-28");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G0 X1 R3").error(), "linuxcnc-error-36");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G0 X1 X2").error(), "linuxcnc-error-25");
 }
 
 // lcn-6-grblarc: other tolerances, and a full circle names an end.
@@ -51,6 +51,12 @@ TEST(LinuxCncFlavours, HoldsArcsToTheRulesOfGrbl) {
 TEST(LinuxCncFlavours, RefusesExtruders) {
   EXPECT_EQ(runFlavour(kSmoothieFlavour, "F100 G1 X1 E3").error(), "linuxcnc-extruder");
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G1 X1 E3").error(), "linuxcnc-extruder");
+}
+
+// lcn-6-grbldollar
+TEST(LinuxCncFlavours, RefusesCommandsOfTheSender) {
+  for (const char* line : {"$H", "?", "!", "~", "$J=G91 X1 F9", " $X"})
+    EXPECT_EQ(runFlavour(kGrblFlavour, line).error(), "linuxcnc-sender-command") << line;
 }
 
 // lcn-6-mach3: circles, rotation, factors, polar words, frames by P, dwells.
