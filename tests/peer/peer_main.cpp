@@ -37,7 +37,7 @@ Ours runHere(const std::string& program) {
   }
   const Diagnostic error = run.first(Severity::kError);
   ours.run.error = error.code.empty() ? "" : error.code + ": " + error.message;
-  ours.line = static_cast<int>(error.line);
+  ours.line = static_cast<int>(error.where.line);
   return ours;
 }
 

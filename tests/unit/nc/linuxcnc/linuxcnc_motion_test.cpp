@@ -112,24 +112,13 @@ const std::vector<LcnCase> kLcnMotionCases{
     {"planes of U V W", "G17\nG1 X1", {"F 1 0 0"}, ""},
     // lcn-4-G17
     {"plane XY again", "G18\nG17 G2 X4 I2", {"A 4 0 0 c 2 0 0 -180"}, ""},
-    // lcn-3-polar: figures of rs274.
-    TEST(LinuxCncMotion,
-         TakesPolarWords){const IsoRun run = runLcn("G0 X10\n@5 ^90\nG1 @10 ^45\nG91 G1 ^45\n@-4");
-EXPECT_EQ(run.error(), "") << run.message();
-EXPECT_EQ(run.motions(),
-          (std::vector<std::string>{"R 10 0 0", "R 0 5 0", "F 7.0711 7.0711 0", "F 0 10 0", "F 0 6 0"}));
-EXPECT_EQ(runLcn("G0 @5").error(), "linuxcnc-polar");
-EXPECT_EQ(runLcn("G0 X1 @5 ^3").error(), "linuxcnc-polar");
-EXPECT_EQ(runLcn("G18\nG0 @5 ^3").error(), "linuxcnc-polar");
-}  // namespace
-
-// lcn-3-G33 lcn-3-G33.1
-{"synchronous lines and a tap", "S200 M3\nG33 Z-5 K1", {"T 0 0 -5"}, ""},
+    // lcn-3-G33 lcn-3-G33.1
+    {"synchronous lines and a tap", "S200 M3\nG33 Z-5 K1", {"T 0 0 -5"}, ""},
     // lcn-3-G33.1
     {"tap without the spindle", "G33.1 Z-5 K1", {}, "linuxcnc-spindle-stopped"},
     // lcn-3-G33
     {"G33 without K", "S200 M3\nG33 Z-5", {}, "linuxcnc-thread"},
-};  // namespace proveout::test
+};
 // clang-format on
 
 TEST(LinuxCncMotion, GoesWhereTheInterpreterGoes) { checkLcnCases(kLcnMotionCases); }
@@ -184,6 +173,17 @@ TEST(LinuxCncMotion, GoesAlongNurbsWithKnots) {
     EXPECT_NEAR(m.to.head<2>().norm(), m.kind == MotionKind::kRapid ? 10.0 : 10.0, 1e-6);
   EXPECT_EQ(run.motions().back(), "F 0 10 0");
   EXPECT_EQ(runLcn("G6.2 X10 Y0 R1 K0 P3").error(), "linuxcnc-spline");
+}
+
+// lcn-3-polar: figures of rs274.
+TEST(LinuxCncMotion, TakesPolarWords) {
+  const IsoRun run = runLcn("G0 X10\n@5 ^90\nG1 @10 ^45\nG91 G1 ^45\n@-4");
+  EXPECT_EQ(run.error(), "") << run.message();
+  EXPECT_EQ(run.motions(),
+            (std::vector<std::string>{"R 10 0 0", "R 0 5 0", "F 7.0711 7.0711 0", "F 0 10 0", "F 0 6 0"}));
+  EXPECT_EQ(runLcn("G0 @5").error(), "linuxcnc-polar");
+  EXPECT_EQ(runLcn("G0 X1 @5 ^3").error(), "linuxcnc-polar");
+  EXPECT_EQ(runLcn("G18\nG0 @5 ^3").error(), "linuxcnc-polar");
 }
 
 // lcn-3-G33 lcn-3-G33.1
