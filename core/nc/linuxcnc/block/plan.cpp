@@ -70,9 +70,14 @@ bool lcnChooseGovernor(IsoContext& c, BlockPlan& plan) {
   const GCode* one_shot = plan.by_group[kOneShot];
   const bool covets = lcnCovets(c, one_shot);
   const GCode* length = plan.by_group[kGroupLengthComp];
-  const bool by_words =
-      length != nullptr && (length->code10 == lcn::kLengthByWords ||
-                            (length->code10 == lcn::kLengthAdded && !c.block.present.has('H')));
+  const GCode* scaling = plan.by_group[kGroupScaling];
+  const GCode* rotation = plan.by_group[kGroupRotation];
+  // G51 and G68 of Mach3 have axis words of their own.
+  const bool transforms =
+      (scaling != nullptr && scaling->code10 == 510) || (rotation != nullptr && rotation->code10 == 680);
+  const bool by_words = transforms || (length != nullptr &&
+                                       (length->code10 == lcn::kLengthByWords ||
+                                        (length->code10 == lcn::kLengthAdded && !c.block.present.has('H'))));
   const bool axes = lcnAnyAxis(c);
   if (motion != nullptr && motion->code10 != lcn::kNoMotion) {
     if ((covets || (by_words && axes)) && axes)

@@ -126,7 +126,9 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
   if (main || further) word.axis = static_cast<std::int8_t>(c_.axes.names().axisOfLetter(word.address));
   if (word.address == '\0')
     return fault("bad-character", fmt::format("Bad character '{}' used", c), pos, pos + 1);
-  if (further && word.axis < 0) {
+  // A and B of G68 in Mach3 are the centre.
+  const bool centre = linuxCncFlavour(c_) == LinuxCncFlavour::kMach3 && (c == 'a' || c == 'b');
+  if (further && word.axis < 0 && !centre) {
     return fault(
         "bad-character",
         fmt::format("Bad character '{}' used: the machine of the job has no axis {}", c, word.address), pos,
