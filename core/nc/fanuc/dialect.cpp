@@ -33,7 +33,7 @@ LexRules fanucLexing() {
   rules.named_programs = true;
   rules.number_alarms = true;
   rules.skip_anywhere = true;
-  rules.unsigned_addresses = "ONGFTHDLMSP";
+  rules.unsigned_addresses = "ONGFTHDLMS";
   return rules;
 }
 
@@ -91,7 +91,7 @@ IsoDialect haasOf(IsoDialect dialect) {
 
 IsoDialect latheDialect(GCodeSystem system, bool haas) {
   IsoDialect d = dialectOf("fanuc-lathe", fanucLatheCodes(system, haas));
-  d.lexing.unsigned_addresses = "ONGFTDLMSP";  // H is a step of C
+  d.lexing.unsigned_addresses = "ONGFTDLMS";  // H is a step of C
   d.rules.offsets_by_tool = true;
   d.rules.set_position_steps = true;
   d.rules.directions_meet = true;

@@ -182,6 +182,7 @@ bool checkPoint(IsoContext& c, const NumberRules& rules, const Word& w) {
   const bool counts = w.address == 'K' && rules.cycle && !rules.haas;
   if (!w.point || rules.haas || rules.turning || (!counts && !kFanucIntegers.has(w.address))) return true;
   if (w.address == 'P' && (rules.scaling || rules.data)) return true;
+  if (w.address == 'H' && rules.lathe) return true;  // a step of C
   return c.alarm(SharedAlarm::kPoint, w, "an integer stands here");
 }
 

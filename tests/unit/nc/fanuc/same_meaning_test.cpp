@@ -189,7 +189,7 @@ TEST(FanucSameMeaning, MovesAsNctDoes) {
     ASSERT_EQ(nct.path.motions.size(), fanuc.path.motions.size()) << seed << "\n" << pair.fanuc();
     for (std::size_t k = 0; k < nct.path.motions.size(); ++k) {
       const Motion &a = nct.path.motions[k], &b = fanuc.path.motions[k];
-      ASSERT_LT((a.to - b.to).norm(), 1e-9) << seed << " motion " << k << "\n" << pair.fanuc();
+      ASSERT_LT((a.to - b.to).norm(), 1e-3) << seed << " motion " << k << "\n" << pair.fanuc();
       ASSERT_EQ(a.kind, b.kind) << seed << " motion " << k;
       ASSERT_EQ(a.arc >= 0, b.arc >= 0) << seed << " motion " << k;
       ASSERT_NEAR(a.feed, b.feed, 1e-9) << seed << " motion " << k;
