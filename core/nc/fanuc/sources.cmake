@@ -2,7 +2,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/alarms.cpp
   nc/fanuc/dialect.cpp
   nc/fanuc/fanuc_row.cpp
-  nc/fanuc/formulas.cpp
+  nc/fanuc/macro/formulas.cpp
   nc/fanuc/block/plan.cpp
   nc/fanuc/coverage/rows.cpp
   nc/fanuc/coverage/rows_cycles.cpp

@@ -1,8 +1,8 @@
 #include "core/nc/linuxcnc/dialect.h"
 
 #include "core/nc/linuxcnc/alarms.h"
-#include "core/nc/linuxcnc/block/block.h"
-#include "core/nc/linuxcnc/formulas.h"
+#include "core/nc/linuxcnc/macro/formulas.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 #include "core/nc/linuxcnc/tables/tables.h"

@@ -1,7 +1,7 @@
 target_sources(proveout_core PRIVATE
   nc/linuxcnc/alarms.cpp
   nc/linuxcnc/dialect.cpp
-  nc/linuxcnc/formulas.cpp
+  nc/linuxcnc/macro/formulas.cpp
   nc/linuxcnc/linuxcnc_row.cpp
   nc/linuxcnc/files/lcn_ini.cpp
   nc/linuxcnc/files/lcn_settings.cpp
@@ -30,7 +30,7 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/block/steps.cpp
   nc/linuxcnc/block/words.cpp
   nc/linuxcnc/comp/comp_codes.cpp
-  nc/linuxcnc/comp/comp_stage.cpp
+  nc/linuxcnc/stages/comp_stage.cpp
   nc/linuxcnc/cycles/drill.cpp
   nc/linuxcnc/cycles/profile.cpp
   nc/linuxcnc/cycles/rough.cpp

@@ -3,8 +3,8 @@
 #include <fmt/core.h>
 
 #include "core/nc/fanuc/model/fanuc_data.h"
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/fanuc/tools/offsets.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/perform/perform.h"

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/words.h"
 
 namespace proveout::nc {

@@ -5,12 +5,13 @@
 #include <cmath>
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
-#include "core/nc/fanuc/dialect.h"
 #include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
+#include "core/nc/fanuc/model/setting_notes.h"
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/origins.h"
+#include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/frames/transforms.h"
@@ -22,10 +23,6 @@ namespace {
 constexpr double kSamePlaceMm = 1e-9;
 /// Work system of G52 with Setting 33 at YASNAC: behind all that programs can name.
 constexpr WorkSystemId kYasnacFrame = kFirstExtended + 899;
-
-bool planAsFanuc(IsoContext& c, BlockPlan& plan, int code10) {
-  return fanucMillCodes().g(code10)->plan(c, plan);
-}
 
 bool performBeside(IsoContext& c, BlockPlan& plan) {
   PathItem item;
@@ -101,7 +98,7 @@ bool planHaasMove(IsoContext& c, BlockPlan& plan) {
     if (const Word* w = c.ownWord(plan, a))
       return c.alarm(SharedAlarm::kIllegalAddress, *w, "a line takes a vector under G141 only");
   }
-  return planAsFanuc(c, plan, plan.governor->code10);
+  return plan.governor->code10 == gcode::kRapid ? planRapid(c, plan) : planLine(c, plan);
 }
 
 bool planHaasArc(IsoContext& c, BlockPlan& plan) {
@@ -122,7 +119,7 @@ bool planHaasArc(IsoContext& c, BlockPlan& plan) {
                     r->columns);
     }
   }
-  return planAsFanuc(c, plan, plan.governor->code10);
+  return planFanucArc(c, plan);
 }
 
 namespace {
@@ -141,7 +138,7 @@ bool performHome(IsoContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planHaasReference(IsoContext& c, BlockPlan& plan) {
-  if (c.anyAxisWord()) return planAsFanuc(c, plan, gcode::kReference);
+  if (c.anyAxisWord()) return planFanucReference(c, plan);
   const auto& given = c.settings.reference_points[0];
   AxisPoint home(given.value_or(c.emitter.home()));
   for (const AxisSettings& axis : c.settings.axes) {
@@ -169,7 +166,7 @@ bool planHaasReference(IsoContext& c, BlockPlan& plan) {
 
 bool planHaasLocalFrame(IsoContext& c, BlockPlan& plan) {
   noteSetting(c, FanucParam::kLocalShift, "G52 shifts every work system (Setting 33 FANUC)");
-  if (c.parameters[FanucParam::kLocalShift] == 0.0) return planAsFanuc(c, plan, gcode::kLocalShift);
+  if (c.parameters[FanucParam::kLocalShift] == 0.0) return planLocalShift(c, plan);
   FrameChange& change = plan.payload.emplace<FrameChange>();
   change.shift52 = c.registers.frames.shift52;
   change.shift92 = c.registers.frames.shift92;

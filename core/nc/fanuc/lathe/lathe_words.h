@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/context.h"
 
 namespace proveout::nc {

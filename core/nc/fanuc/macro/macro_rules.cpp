@@ -4,7 +4,7 @@
 #include <mutex>
 #include <tuple>
 
-#include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/macro/formulas.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/system_variables/fanuc_banks.h"
 

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include "core/nc/fanuc/macro/macro_rules.h"
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/words.h"
 
 namespace proveout::nc {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/motion/motion_plans.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/five_axis/five_axis.h"

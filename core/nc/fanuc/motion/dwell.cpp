@@ -1,5 +1,5 @@
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/motion/motion_plans.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
 

@@ -6,9 +6,9 @@
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"

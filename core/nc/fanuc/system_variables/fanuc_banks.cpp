@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/characters.h"
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/fanuc/system_variables/common_bank.h"
 #include "core/nc/fanuc/system_variables/offset_numbers.h"
 #include "core/nc/iso/context/context.h"

@@ -7,8 +7,8 @@
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
+#include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
-#include "core/nc/fanuc/setting_notes.h"
 #include "core/nc/iso/context/words.h"
 
 namespace proveout::nc {

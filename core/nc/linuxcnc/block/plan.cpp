@@ -4,8 +4,8 @@
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/tools/tools.h"
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/linuxcnc/text/lcn_unused.h"
 

@@ -2,8 +2,8 @@
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/spindle/spindle.h"
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/frames/frames.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 namespace {

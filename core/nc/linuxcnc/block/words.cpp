@@ -4,8 +4,8 @@
 #include "core/geometry/degrees.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/spindle/spindle.h"
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 namespace {

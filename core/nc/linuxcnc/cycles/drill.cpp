@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/nc/iso/context/origins.h"
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {

@@ -1,7 +1,7 @@
 // The contour of G70, G71, G72: the lines of a subroutine.
 #pragma once
 
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/services/contour/contour_elements.h"
 
 namespace proveout::nc {

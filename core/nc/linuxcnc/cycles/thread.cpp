@@ -5,7 +5,7 @@
 
 #include "core/geometry/degrees.h"
 #include "core/nc/iso/motion/feed.h"
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 

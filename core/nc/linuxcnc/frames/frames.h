@@ -1,7 +1,7 @@
 // Frames of LinuxCNC: machine = G5x + turn by its R of (work + G92) + tool offset.
 #pragma once
 
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 

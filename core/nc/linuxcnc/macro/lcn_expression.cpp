@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/nc/linuxcnc/formulas.h"
+#include "core/nc/linuxcnc/macro/formulas.h"
 #include "core/nc/linuxcnc/macro/lcn_variables.h"
 #include "core/nc/macro/formula.h"
 

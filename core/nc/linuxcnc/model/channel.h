@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/nc/iso/context/context.h"
-#include "core/nc/linuxcnc/comp/comp_stage.h"
 #include "core/nc/linuxcnc/model/groups.h"
+#include "core/nc/linuxcnc/stages/comp_stage.h"
 
 namespace proveout::nc {
 

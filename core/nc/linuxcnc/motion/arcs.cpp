@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {

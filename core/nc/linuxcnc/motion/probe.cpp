@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/nc/iso/context/sends.h"
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "core/nc/linuxcnc/block/block.h"
+#include "core/nc/linuxcnc/model/block.h"
 
 namespace proveout::nc {
 namespace {

@@ -2,8 +2,8 @@
 #include <fmt/core.h>
 
 #include "core/nc/iso/motion/feed.h"
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {

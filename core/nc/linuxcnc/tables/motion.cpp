@@ -1,8 +1,8 @@
 // Motion, cycles, feed, planes, units, frames and compensation.
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/model/code_rows.h"
-#include "core/nc/linuxcnc/block/block.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/tables/tables.h"
 
 namespace proveout::nc {

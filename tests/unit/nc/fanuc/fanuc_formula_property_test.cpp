@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/nc/fanuc/alarms.h"
-#include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/macro/formulas.h"
 #include "core/nc/macro/expression.h"
 
 namespace proveout {

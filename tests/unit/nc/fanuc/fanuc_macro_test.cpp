@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "core/nc/fanuc/alarms.h"
-#include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/macro/formulas.h"
 #include "core/nc/macro/expression.h"
 #include "tests/unit/nc/iso_run.h"
 

@@ -80,7 +80,7 @@ TEST(FanucTransforms, Scales) {
   // The centre is where the tool is.
   EXPECT_EQ(motions("G1 X10 Y10\nG51 P2000\nX20 Y10\n"), (Lines{"F 10 10 0", "F 30 10 0"}));
   EXPECT_EQ(mill("G51 X0 Y0 P0\n").error(), "fanuc-142");
-  EXPECT_EQ(mill("G51 X0 Y0 P-2000\n").error(), "fanuc-006");
+  EXPECT_EQ(mill("G51 X0 Y0 P-2000\n").error(), "fanuc-142");
   EXPECT_EQ(mill("G41 D1 G1 X5 Y5\nG51 X0 Y0 P2000\n").error(), "fanuc-141");
 }
 

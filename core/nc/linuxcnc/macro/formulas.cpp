@@ -1,4 +1,4 @@
-#include "core/nc/linuxcnc/formulas.h"
+#include "core/nc/linuxcnc/macro/formulas.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/nc/linuxcnc/comp/comp_stage.h"
+#include "core/nc/linuxcnc/stages/comp_stage.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "core/nc/fanuc/formulas.h"
+#include "core/nc/fanuc/macro/formulas.h"
 
 #include <array>
 
