@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "app/session/findings/control_datum.h"
 #include "core/base/assert.h"
+#include "core/nc/control/control_settings.h"
 #include "core/tool/tool_table.h"
 
 namespace proveout {
@@ -164,16 +166,15 @@ class Collector {
     const std::string key = fmt::format("tools.{}.", number);
     if (tool->insert) {
       const DataInForce* data = dataOf(s_.path, motion_);
-      for (const auto& [shift, key_of_shift, mm] : {std::tuple(CutShift::kX, "DXW", data->tool_offset.x()),
-                                                    std::tuple(CutShift::kZ, "DZW", data->tool_offset.z())}) {
-        if (mm != 0.0)
-          addDatum(shift, kTool, fmt::format("control.{}.{}.{}", s_.control, key_of_shift, data->nose_tool),
-                   mm, 0);
+      for (const auto& [shift, datum, mm] :
+           {std::tuple(CutShift::kX, LatheDatum::kOffsetX, data->tool_offset.x()),
+            std::tuple(CutShift::kZ, LatheDatum::kOffsetZ, data->tool_offset.z())}) {
+        if (mm != 0.0) addDatum(shift, kTool, latheDatumKey(s_.control, datum, data->nose_tool), mm, 0);
       }
       for (const CutShift shift : {CutShift::kX, CutShift::kZ, CutShift::kRadial}) {
         addDatum(shift, kTool, key + "nose_radius", tool->insert->nose_radius, 0);
         if (data->nose_radius > 0.0)  // what the operator entered
-          addDatum(shift, kTool, fmt::format("control.{}.RT.{}", s_.control, data->nose_tool),
+          addDatum(shift, kTool, latheDatumKey(s_.control, LatheDatum::kNoseRadius, data->nose_tool),
                    data->nose_radius, 0);
       }
       return;

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "app/session/findings/blame.h"
+#include "app/session/findings/control_datum.h"
 #include "core/base/assert.h"
 #include "core/geometry/plane.h"
 #include "core/path/origin_query.h"
@@ -203,17 +204,18 @@ bool sameNose(const ControlNose& control, const Insert& insert) {
 }
 
 /// What of the data is not the insert's; empty: nothing.
-std::string difference(const ControlNose& control, const Insert& insert) {
+std::string difference(const std::string& name, const ControlNose& control, const Insert& insert) {
   std::string text;
   const auto add = [&](const std::string& what) { text += (text.empty() ? "" : ", ") + what; };
   if (control.row != control.tool)
     add(fmt::format("the data of tool {} count while tool {} cuts", control.row, control.tool));
   if (std::abs(control.radius - insert.nose_radius) > kSame)
-    add(fmt::format("RT.{} is {:g}{}, the nose radius of the insert {:g}", control.row, control.radius,
+    add(fmt::format("{}.{} is {:g}{}, the nose radius of the insert {:g}",
+                    latheDatumName(name, LatheDatum::kNoseRadius), control.row, control.radius,
                     control.radius == 0.0 ? " (not given?)" : "", insert.nose_radius));
   if (!sameTip(control, insert))
-    add(fmt::format("TIP.{} is {}, the orientation of the insert {}", control.row, control.tip,
-                    tipOf(insert)));
+    add(fmt::format("{}.{} is {}, the orientation of the insert {}", latheDatumName(name, LatheDatum::kTip),
+                    control.row, control.tip, tipOf(insert)));
   if (std::abs(control.corrector) > kSame)
     add(fmt::format("the corrector D{} is {:g}", control.corrector_row, control.corrector));
   return text;
@@ -252,7 +254,7 @@ void addNoseData(const SetupRun& setup, const std::vector<LeftEdge>& edges, doub
     if (data == nullptr || !motion.compensated) continue;
     const ControlNose control = noseOf(motion, *data);
     const Insert& insert = insertOf(setup, edge.motion);
-    if (difference(control, insert).empty()) continue;
+    if (difference(setup.job.control, control, insert).empty()) continue;
     noses[control].take(beyondContour(control, insert, edge.inward) - control.corrector, edge);
   }
   for (const auto& [control, effect] : noses) {
@@ -264,8 +266,8 @@ void addNoseData(const SetupRun& setup, const std::vector<LeftEdge>& edges, doub
                                                    : Severity::kError;
     finding.where = Vec3(effect.at.x(), 0.0, effect.at.y());
     finding.depth_mm = std::max(effect.deep, effect.proud);
-    finding.message =
-        fmt::format("tool {}: {}; {}", control.tool, difference(control, insert), effectText(effect));
+    finding.message = fmt::format("tool {}: {}; {}", control.tool,
+                                  difference(setup.job.control, control, insert), effectText(effect));
     blame(finding, effect.worst, path, texts);
     findings.push_back(std::move(finding));
   }
@@ -295,7 +297,8 @@ std::optional<Cause> noseCause(const SetupRun& setup, MotionId motion, const Vec
   const double expected = beyondContour(control, *tool->insert, inward) - control.corrector;
   Cause cause;
   const bool radius = std::abs(control.radius - tool->insert->nose_radius) > kSame;
-  cause.what = fmt::format("control.{}.{}.{}", setup.job.control, radius ? "RT" : "TIP", control.row);
+  cause.what =
+      latheDatumKey(setup.job.control, radius ? LatheDatum::kNoseRadius : LatheDatum::kTip, control.row);
   cause.value = radius ? fmt::format("{:g}, the insert has {:g}", control.radius, tool->insert->nose_radius)
                        : fmt::format("{}, the insert has {}", control.tip, tipOf(*tool->insert));
   cause.along = "radius";
