@@ -33,12 +33,12 @@ struct ProgramText {
 struct SubprogramQuery {
   std::string caller;  ///< ProgramText::path of the calling program
   std::vector<std::string>
-      stems;  ///< file names without extension in order of preference: {"O0011", "O00000011"}
+      stems;         ///< file names without extension in order of preference: {"O0011", "O00000011"}
+  std::string path;  ///< a file as the program names it, separators turned into '/'; relative to the caller
+  int system_channel = 0;  ///< above 0: `stems` lie in the folder SystemMacros/Channel<n> of the control
   /// Endings of the names of files ("", ".nc") that are looked for behind that of the caller. Empty: that of
   /// the caller only.
   std::vector<std::string> extensions = {};
-  std::string path;  ///< a file as the program names it, separators turned into '/'; relative to the caller
-  int system_channel = 0;  ///< above 0: `stems` lie in the folder SystemMacros/Channel<n> of the control
 };
 
 /// The error where a program has none of the names of a query with extensions; `where` they were looked for:
