@@ -631,13 +631,15 @@ def wl4_shaft():
 
 
 def fanuc_shaft():
-    """Chamfer 1, cylinder 20, radius 2, cone of 45 degrees to cylinder 30, radius 3, collar 40; the bar behind it."""
+    """Chamfer 1, cylinder 20, radius 2, cone of 45 degrees to cylinder 30, radius 3, collar 40 up to the
+    bar, where the nose of 0.4 leaves its radius."""
     q = math.pi / 2
     t = 2 * math.tan(math.radians(22.5))  # of the radius of 2 from its corner
     points = [(0.0, 0.0), (9.0, 0.0), (10.0, -1.0)]
     points += sphere_arc(12.0, -20.0 + t, 2.0, math.pi, q / 2, 16)
     points += [(15.0, -25.0)] + sphere_arc(18.0, -37.0, 3.0, math.pi, q, 24)
-    points += [(20.0, -40.0), (20.0, -62.0), (22.0, -62.0), (22.0, -90.0), (0.0, -90.0)]
+    points += [(20.0, -40.0)] + sphere_arc(20.4, -61.6, 0.4, math.pi, q, 12)  # the nose, at the bar's shoulder
+    points += [(22.0, -62.0), (22.0, -90.0), (0.0, -90.0)]
     angles = [2 * math.pi * k / 192 for k in range(192)]
     finish_threaded([rest_of(points) for _ in angles], angles, "fanuc_shaft/shaft.stl")
 

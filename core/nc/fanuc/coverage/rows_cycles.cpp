@@ -4,7 +4,8 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kFanucCycleRowsList = std::to_array<CoverageIdRow>({
     {"fan-8-G40", "SIM", "done", "tests/unit/nc/fanuc/fanuc_comp_test.cpp"},
     {"fan-8-G41", "SIM", "done", "tests/unit/nc/fanuc/fanuc_comp_test.cpp"},

@@ -4,7 +4,8 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kFanucLatheRowsList = std::to_array<CoverageIdRow>({
     {"fan-15-systems", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
     {"fan-15-diameter", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
@@ -42,10 +43,14 @@ constexpr auto kFanucLatheRowsList = std::to_array<CoverageIdRow>({
     {"fan-16-G88", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
     {"fan-16-G89", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
     {"fan-16-errors", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_lathe_contours_test.cpp"},
-    {"fan-17-G43.4", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},    {"fan-17-G43.5", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
-    {"fan-17-G68.2", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},    {"fan-17-G53.1", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
-    {"fan-17-G54.2", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},    {"fan-17-abc", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
-    {"fan-17-nokin", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"}, {"fan-19-place", "REJECT", "missing", ""},
+    {"fan-17-G43.4", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-G43.5", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-G68.2", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-G53.1", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-G54.2", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-abc", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-17-nokin", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
+    {"fan-19-place", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_basic_test.cpp"},
     {"fan-20-rs274", "HOST", "missing", ""},
 });
 // clang-format on

@@ -4,7 +4,8 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kFanucMacroRowsList = std::to_array<CoverageIdRow>({
     {"fan-11-M98", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},
     {"fan-11-M98Q", "SIM", "done", "tests/unit/nc/fanuc/fanuc_calls_test.cpp"},

@@ -4,9 +4,10 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kFanucTextRowsList = std::to_array<CoverageIdRow>({
-    {"fan-1-flavour", "STATE", "missing", ""},
+    {"fan-1-flavour", "STATE", "done", "tests/unit/nc/fanuc/fanuc_basic_test.cpp"},
     {"fan-1-poweron", "STATE", "done", "tests/unit/nc/fanuc/fanuc_reset_test.cpp"},
     {"fan-1-reset", "STATE", "done", "tests/unit/nc/fanuc/fanuc_reset_test.cpp"},
     {"fan-1-settingnote", "STATE", "done", "tests/unit/nc/fanuc/fanuc_feed_test.cpp"},

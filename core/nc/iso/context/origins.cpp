@@ -182,7 +182,26 @@ OffsetInForce rowInForce(const OffsetTables& table, OffsetColumn column, int row
   return {row, value.geometry, value.wear, by.geometry, by.wear};
 }
 
-/// The rows that H and D of the block have read.
+/// The radius that compensation counts with: of a row, or of a word or a tool beside the tables.
+OffsetInForce radiusInForce(const OffsetTables& table, const IsoState& next) {
+  OffsetInForce radius = rowInForce(table, OffsetColumn::kRadius, next.d);
+  if (radius.value() == next.d_radius) return radius;
+  radius.geometry = next.d_radius;
+  radius.wear = 0.0;
+  return radius;
+}
+
+/// What T of a lathe has chosen.
+void takeNose(DataInForce& data, const IsoState& next) {
+  constexpr int kCentre = 9;
+  data.nose_tool = next.next_tool >= 0 ? next.next_tool : next.tool;
+  data.nose_radius = next.d_radius;
+  data.tip = next.d_tip;
+  data.at_center = next.d_tip == 0 || next.d_tip == kCentre;
+  data.tool_offset = next.length.xyz;
+}
+
+/// The rows that H and D of the block have read, or T where it names them.
 void recordRows(IsoContext& c, const IsoState& next) {
   const OffsetTables& table = c.registers.offsets;
   DataInForce data = c.origins.data();
@@ -191,7 +210,10 @@ void recordRows(IsoContext& c, const IsoState& next) {
     data.length_x = rowInForce(table, OffsetColumn::kX, next.h);
     data.length_y = rowInForce(table, OffsetColumn::kY, next.h);
   }
-  if (c.block.present.has('D')) data.radius = rowInForce(table, OffsetColumn::kRadius, next.d);
+  if (c.dialect.rules.offsets_by_tool)
+    takeNose(data, next);
+  else
+    data.radius = radiusInForce(table, next);
   c.origins.setData(data);
 }
 
@@ -248,7 +270,8 @@ void recordWords(IsoContext& c, const BlockPlan& plan) {
     c.cycle_start = c.origins.slot(axisKind(c.axes.at(drill).name));
   }
   words.record();
-  if (c.block.present.has('H') || c.block.present.has('D')) recordRows(c, plan.next);
+  const bool radius = plan.next.d != c.state.d || plan.next.d_radius != c.state.d_radius;
+  if (radius || c.block.present.has('H') || c.block.present.has('D')) recordRows(c, plan.next);
   if (plan.frames_changed) recordFrames(c, plan.next);
 }
 

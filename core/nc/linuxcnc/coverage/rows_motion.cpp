@@ -4,7 +4,8 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kLinuxCncMotionRowsList = std::to_array<CoverageIdRow>({
     {"lcn-3-G0", "SIM", "done", "tests/unit/nc/linuxcnc/linuxcnc_motion_test.cpp"},
     {"lcn-3-G1", "SIM", "done", "tests/unit/nc/linuxcnc/linuxcnc_motion_test.cpp"},

@@ -4,7 +4,8 @@
 namespace proveout::nc {
 namespace {
 
-// clang-format off: one row a line
+// One row a line.
+// clang-format off
 constexpr auto kLinuxCncTextRowsList = std::to_array<CoverageIdRow>({
     {"lcn-1-start", "STATE", "done", "tests/unit/nc/linuxcnc/linuxcnc_function_test.cpp"},
     {"lcn-1-units", "STATE", "done", "tests/unit/nc/linuxcnc/linuxcnc_function_test.cpp"},
