@@ -37,7 +37,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   settings.radius_offsets[1] = {5.0, 0.0};
   settings.radius_offsets[2] = {-2.0, 0.1};
   settings.length_offsets[1] = {50.0, 0.0};
-  settings.gauge_lengths[1] = 50.0;
   settings.work_offsets[1] = Vec3(100, 20, -3);
   if (size % 7 == 0) settings.reference_points[0] = Vec3(400, 300, 500);
   settings.limits[0] = AxisLimit{-500, 500};

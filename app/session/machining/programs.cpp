@@ -67,8 +67,8 @@ SetupRun emptySetup(const Job& job, std::size_t k) {
 Status read(SetupRun& setup, const RecordingSource& source, const ControlSettings& settings,
             const ProbedStock* stock, Progress& progress) {
   setup.interpreted = interpretProgram(setup.job, source, settings, progress, stock);
-  if (setup.interpreted.summary.errors > 0) {
-    if (auto note = otherControlNote(setup.job, source))
+  if (setup.interpreted.summary.errors > 0 && !source.texts().empty()) {
+    if (auto note = otherControlNote(setup.job, source.texts().front()))
       setup.interpreted.path.diagnostics.add(std::move(*note));
   }
   if (setup.interpreted.outgrown_at) return outgrown(setup.interpreted);

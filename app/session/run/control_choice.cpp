@@ -113,11 +113,11 @@ Status chooseControls(Job& job, const std::vector<const ProgramSource*>& program
   return Done{};
 }
 
-std::optional<Diagnostic> otherControlNote(const Job& job, const ProgramSource& program) {
+std::optional<Diagnostic> otherControlNote(const Job& job, const ProgramText& program) {
   if (!job.control_note.empty() || !job.channels.empty()) return std::nullopt;
-  const Result<ProgramText> text = program.mainProgram();
-  if (!text) return std::nullopt;
-  const GuessedControl guess = guessControl(text->name, text->bytes);
+  constexpr std::size_t kMostBytes = 4'000'000;  // as much of a program as a note is worth
+  const std::string_view text = std::string_view(program.bytes).substr(0, kMostBytes);
+  const GuessedControl guess = guessControl(program.name, text);
   if (!guess.chosen) return std::nullopt;
   const ControlGuess& chosen = *guess.chosen;
   const std::string flavour = flavourOf(infoNamed(job.control), job.settings);
@@ -126,7 +126,7 @@ std::optional<Diagnostic> otherControlNote(const Job& job, const ProgramSource& 
   return noteOf("control",
                 fmt::format("this looks like a program of {}; the job runs it on {}{}", guess.choiceText(),
                             job.control, flavour.empty() ? "" : fmt::format(" (flavour {})", flavour)),
-                text->name);
+                program.name);
 }
 
 std::optional<Diagnostic> choiceNote(const Job& job) {

@@ -19,7 +19,7 @@ Status chooseControls(Job& job, const std::vector<const ProgramSource*>& program
 
 /// Where a program that went wrong looks like one for another control or flavour than `job` names: a note
 /// that says so. Nothing where the program itself has told the control.
-std::optional<Diagnostic> otherControlNote(const Job& job, const ProgramSource& program);
+std::optional<Diagnostic> otherControlNote(const Job& job, const ProgramText& program);
 
 /// The note of a control that the program has told; nothing: the job named it.
 std::optional<Diagnostic> choiceNote(const Job& job);

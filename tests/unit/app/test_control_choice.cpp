@@ -110,7 +110,7 @@ TEST(ControlChoice, ARunFromMemoryTellsTheControlToo) {
 TEST(ControlChoice, SaysWhatAProgramLooksLikeThatWentWrong) {
   Job job;
   job.control = "nct";
-  const MemoryProgramSource haas("part.nc", kHaas);
+  const ProgramText haas{"part.nc", "part.nc", kHaas};
   const auto note = otherControlNote(job, haas);
   ASSERT_TRUE(note);
   EXPECT_NE(note->message.find("looks like a program of fanuc-mill (flavour haas)"), std::string::npos);
@@ -119,7 +119,7 @@ TEST(ControlChoice, SaysWhatAProgramLooksLikeThatWentWrong) {
   EXPECT_TRUE(otherControlNote(job, haas)) << "of another flavour";
   job.settings.parameters["flavour"] = 1;
   EXPECT_FALSE(otherControlNote(job, haas));
-  EXPECT_FALSE(otherControlNote(job, MemoryProgramSource("part.nc", kPlain)));
+  EXPECT_FALSE(otherControlNote(job, ProgramText{"part.nc", "part.nc", kPlain}));
 }
 
 }  // namespace
