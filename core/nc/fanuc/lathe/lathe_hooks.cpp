@@ -169,7 +169,8 @@ bool planLatheTool(IsoContext& c, BlockPlan& plan, const Word& t) {
   const OffsetTables& table = c.registers.offsets;
   const int in_hand = tool > 0 ? tool : c.state.tool;
   const bool by_tool = c.parameters.flag(FanucParam::kGeometryBy);
-  const int geometry = std::min(offset == 0 ? 0 : by_tool ? in_hand : offset, OffsetTables::kRows);
+  // A spindle of which no tool is known has no row.
+  const int geometry = std::clamp(offset == 0 ? 0 : by_tool ? in_hand : offset, 0, OffsetTables::kRows);
   next.h = next.d = offset;
   const auto sum = [&](OffsetColumn column) {
     return table.value(column, geometry).geometry + table.value(column, offset).wear;
