@@ -299,8 +299,8 @@ bool planLcnCycle(IsoContext& c, BlockPlan& plan) {
       if (!plan.motion.named[static_cast<std::size_t>(axis)]) continue;
       at[axis] = step ? at[axis] + plan.motion.target[axis] - plan.start[axis] : plan.motion.target[axis];
     }
-    // A new R above the tool is reached on the way to the hole.
-    at[plane.w] = driller.level() < hole.r ? hole.clear : driller.level();
+    // From R or below it the way to the hole leads to the level of return, from above it stays.
+    at[plane.w] = driller.level() <= hole.r ? hole.clear : driller.level();
     driller.over(at);
     driller.rapid(hole.r);
     lcnBore(driller, hole);

@@ -227,5 +227,19 @@ TEST(LinuxCncCycles, RefusesStrokesWithoutEnd) {
   EXPECT_EQ(runLcn("G0 Z10\nG81 X1 Z-1 R2 L90000000").error(), "linuxcnc-out-of-range");
 }
 
+// Figures of the interpreter: G98 behind G99 in a series.
+TEST(LinuxCncCycles, GoesToTheLevelOfReturnFromR) {
+  const auto of = [](const std::string& text) {
+    return IsoRun(ControlId::kLinuxCnc, "G21 G90 F100\nG0 X0 Y0 Z10\n" + text + "G80\nM2\n").motions();
+  };
+  const std::vector<std::string> at_r = of("G99 G81 X1 Y1 Z-5 R8\nG98 X2\n");
+  ASSERT_EQ(at_r.size(), 9u);
+  EXPECT_EQ(at_r[5], "R 2 1 10");
+  const std::vector<std::string> above = of("G99 G81 X1 Y1 Z-5 R8\nG98 X2 R5\nX3 R7\n");
+  ASSERT_EQ(above.size(), 13u);
+  EXPECT_EQ(above[5], "R 2 1 8");
+  EXPECT_EQ(above[8], "R 2 1 10");
+}
+
 }  // namespace
 }  // namespace proveout::test
