@@ -53,7 +53,7 @@ bool planFanucPositionOffset(IsoContext& c, BlockPlan& plan) {
     w.is_integer = std::floor(w.value) == w.value;
   }
   c.block.plain = false;  // its text does not show its words any more
-  plan.governor = c.codes.g(plan.next.active[kGroupMotion]);
+  plan.governor = c.codes.inForce(plan.next.active[kGroupMotion]);
   return plan.governor->plan(c, plan);
 }
 
