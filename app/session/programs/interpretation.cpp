@@ -292,7 +292,7 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
         return false;
       }
       // Many programs go up before their first tool: nothing is met there.
-      const bool climbs = motion.kind == MotionKind::kRapid && motion.to.z() >= motion.from.z() &&
+      const bool climbs = motion.kind == MotionKind::kRapid && motion.to.z() > motion.from.z() &&
                           motion.to.head<2>() == motion.from.head<2>();
       if (climbs) {
         motion.tool = tool->number;
