@@ -29,7 +29,9 @@ bool checkOpenCurve(IsoContext& c, const BlockPlan& plan) {
 }
 
 void noteDefault(IsoContext& c, const BlockPlan& plan, IsoGroup group, std::string_view key, bool given) {
-  if (fanucData(c).programmed[group]) return;
+  FanucData& data = fanucData(c);
+  if (data.programmed[group] || data.noted[group]) return;
+  data.noted.set(group);
   noteSettingOf(c, key, given,
                 fmt::format("the program moves and has not told {} before: {} holds from power-on",
                             key == "power_on_units"      ? "G20 or G21"
@@ -53,8 +55,8 @@ void noteDefaults(IsoContext& c, const BlockPlan& plan) {
   if (modal) noteDefault(c, plan, kGroupMotion, "power_on_motion", given(MotionParam::kDefaultG1));
   const bool plane = plan.motion.is_arc || plan.next.compOn();
   if (plane) noteDefault(c, plan, kGroupPlane, "power_on_plane", given(FanucParam::kPowerOnPlane));
-  data.all_told = data.programmed[kGroupUnits] && data.programmed[kGroupDistance] &&
-                  data.programmed[kGroupMotion] && data.programmed[kGroupPlane];
+  const auto known = data.programmed | data.noted;
+  data.all_told = known[kGroupUnits] && known[kGroupDistance] && known[kGroupMotion] && known[kGroupPlane];
 }
 
 void noteUnits(IsoContext& c, const BlockPlan& plan) {

@@ -34,6 +34,8 @@ struct FanucData : MakerData {
   CurveInput curve;
   std::optional<std::pair<int, int>> plane_before;  ///< axes of the plane when G12.1 or G07.1 began
   std::bitset<kGroupCount> programmed;              ///< groups that the program has told a code of
+  std::bitset<kGroupCount> noted;                   ///< groups whose code of power-on a note has told of
+  bool decimal_noted = false;                       ///< a note has told of numbers without a point
   bool all_told = false;                            ///< of those that power-on codes matter for
 };
 

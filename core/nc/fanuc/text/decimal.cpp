@@ -122,7 +122,8 @@ double rounded(double value, double steps) {
 }
 
 void noteInteger(IsoContext& c, const NumberRules& rules, const Word& w) {
-  if (w.value == 0.0 || c.parameters.given(FanucParam::kDecimal)) return;
+  if (w.value == 0.0 || fanucData(c).decimal_noted || c.parameters.given(FanucParam::kDecimal)) return;
+  fanucData(c).decimal_noted = true;
   const double least = rotary(c, w) || !rules.inch ? 0.001 : 0.0001;
   noteSetting(c, FanucParam::kDecimal,
               fmt::format("{}{:g} without a point is taken as {:g}; with decimal = \"increment\" (parameter "
