@@ -291,19 +291,16 @@ bool assignTools(Toolpath& path, const std::vector<Tool>& tools, const Recording
         diagnose(Severity::kError, motion, "tool", "a feed motion with the spindle emptied by T0 M6");
         return false;
       }
-      // Many programs go up before their first tool: nothing is met there.
+      // Many programs go up before their first tool: nothing is met there. A wire is in the machine, no
+      // program calls it.
       const bool climbs = motion.kind == MotionKind::kRapid && motion.to.z() > motion.from.z() &&
                           motion.to.head<2>() == motion.from.head<2>();
-      if (climbs) {
-        motion.tool = tool->number;
-        continue;
-      }
-      if (!told && motion.wire < 0) {  // a wire is in the machine, no program calls it
+      if (!told && !climbs && motion.wire < 0) {
         diagnose(Severity::kNote, motion, "tool",
                  fmt::format("no tool is changed in up to here; tool {} is taken to be in the spindle",
                              tool->number));
+        told = true;
       }
-      told = true;
       motion.tool = tool->number;
       continue;
     }

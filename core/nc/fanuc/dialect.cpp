@@ -80,10 +80,13 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
 /// The flavour of Haas.
 IsoDialect haasOf(IsoDialect dialect) {
   constexpr int kLocalCall = 97;
+  constexpr int kHaasAlarms = 1000;  // #3000=1 is alarm 1001 there
   dialect.rules.last_of_group = false;
   dialect.rules.local_call = kLocalCall;
   dialect.work_system = haasWorkSystem;
   dialect.lexing.short_while = true;
+  dialect.messages.alarm = kHaasAlarms;
+  dialect.rules.words_behind_if = true;
   const bool lathe = dialect.name == "fanuc-lathe";
   dialect.system_variables = lathe ? haasLatheBanks : haasMillBanks;
   return dialect;
@@ -104,9 +107,8 @@ IsoDialect latheDialect(GCodeSystem system, bool haas) {
   return haas ? haasOf(d) : d;
 }
 
-bool chosen(const std::map<std::string, double>& settings, FanucParam p) {
-  const auto given = settings.find(std::string(fanucParameters().row(p).name));
-  return given != settings.end() && given->second != 0.0;
+bool isOfHaas(const std::map<std::string, double>& settings) {
+  return fanucSetting(settings, FanucParam::kFlavour) != 0.0;
 }
 
 }  // namespace
@@ -122,14 +124,15 @@ const CodeIndex& haasMillCodes() {
   static const CodeIndex kIndex(
       {fanucTextTable(), fanucMotionTable(), fanucFramesTable(), fanucCompTable(), fanucCyclesTable(),
        fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
-      {haasMillTable()});
+      {haasTable(), haasFramesTable(), haasMillTable()});
   return kIndex;
 }
 
 const CodeIndex& fanucLatheCodes(GCodeSystem system, bool haas) {
   const auto make = [](GCodeSystem of, bool of_haas) {
-    std::vector<CodeTable> own{fanucLatheTable(), fanucLatheSystemTable(of)};
-    if (of_haas) own.push_back(haasLatheTable());
+    std::vector<CodeTable> own = fanucLatheSystemTables(of);
+    own.push_back(fanucLatheTable());
+    if (of_haas) own.insert(own.end(), {haasTable(), haasFramesTable(), haasLatheTable()});
     return CodeIndex({fanucTextTable(), fanucMotionTable(), fanucFramesTable(), fanucCompTable(),
                       fanucTransformsTable(), fanucRotaryTable(), fanucMacroTable()},
                      std::move(own), notInSystem(of));
@@ -145,7 +148,7 @@ const CodeIndex& fanucLatheCodes(GCodeSystem system, bool haas) {
 const IsoDialect& fanucMillDialect(const std::map<std::string, double>& settings) {
   static const IsoDialect kMill = dialectOf("fanuc-mill", fanucMillCodes());
   static const IsoDialect kHaas = haasOf(dialectOf("fanuc-mill", haasMillCodes()));
-  return macroVariant(chosen(settings, FanucParam::kFlavour) ? kHaas : kMill, settings);
+  return macroVariant(isOfHaas(settings) ? kHaas : kMill, settings);
 }
 
 const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& settings) {
@@ -154,9 +157,8 @@ const IsoDialect& fanucLatheDialect(const std::map<std::string, double>& setting
   };
   static const std::array<std::array<IsoDialect, 2>, 3> kDialects = {
       make(GCodeSystem::kA), make(GCodeSystem::kB), make(GCodeSystem::kC)};
-  const auto given = settings.find(std::string(fanucParameters().row(FanucParam::kGcodeSystem).name));
-  const double system = given == settings.end() ? 0.0 : std::clamp(given->second, 0.0, 2.0);
-  const std::size_t flavour = chosen(settings, FanucParam::kFlavour) ? 1 : 0;
+  const double system = std::clamp(fanucSetting(settings, FanucParam::kGcodeSystem), 0.0, 2.0);
+  const std::size_t flavour = isOfHaas(settings) ? 1 : 0;
   return macroVariant(kDialects[static_cast<std::size_t>(system)][flavour], settings);
 }
 

@@ -23,7 +23,7 @@ InterpretSummary runLathe(const ProgramSource& source, const ControlSettings& se
 
 /// Codes of Haas that stand in place of others come behind those.
 std::vector<CoverageRow> millCoverage() {
-  static const CodeIndex kHaas({haasMillTable()});
+  static const CodeIndex kHaas({haasTable(), haasFramesTable(), haasMillTable()});
   std::vector<CoverageRow> rows = coverageOf(fanucMillCodes());
   const std::vector<CoverageRow> haas = coverageOf(kHaas);
   rows.insert(rows.end(), haas.begin(), haas.end());

@@ -1,23 +1,14 @@
 #include "core/nc/fanuc/macro/macro_rules.h"
 
+#include <map>
 #include <memory>
 #include <mutex>
-#include <tuple>
 
 #include "core/nc/fanuc/macro/formulas.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/system_variables/fanuc_banks.h"
 
 namespace proveout::nc {
-namespace {
-
-double settingOr(const std::map<std::string, double>& settings, FanucParam p, double usual) {
-  const auto given = settings.find(std::string(fanucParameters().row(p).name));
-  return given == settings.end() ? usual : given->second;
-}
-
-}  // namespace
-
 void takeMacroRules(IsoDialect& dialect, bool lathe) {
   dialect.rules.words_behind_if = false;
   dialect.rules.loops_are_closed = true;
@@ -33,21 +24,14 @@ void takeMacroRules(IsoDialect& dialect, bool lathe) {
 
 const IsoDialect& macroVariant(const IsoDialect& base, const std::map<std::string, double>& settings) {
   constexpr double kFullTurn = 360.0;
-  constexpr int kHaasAlarms = 1000;  // #3000=1 is alarm 1001 there
-  const bool haas = settingOr(settings, FanucParam::kFlavour, 0.0) == 1.0;
-  const bool signed_angles = settingOr(settings, FanucParam::kAtanRange, kFullTurn) < kFullTurn;
-  if (!haas && !signed_angles) return base;
+  if (fanucSetting(settings, FanucParam::kAtanRange) >= kFullTurn) return base;
   static std::mutex mutex;
-  static std::map<std::tuple<const IsoDialect*, bool, bool>, std::unique_ptr<IsoDialect>> variants;
+  static std::map<const IsoDialect*, std::unique_ptr<IsoDialect>> signed_angles;
   const std::scoped_lock lock(mutex);
-  std::unique_ptr<IsoDialect>& variant = variants[{&base, haas, signed_angles}];
+  std::unique_ptr<IsoDialect>& variant = signed_angles[&base];
   if (variant == nullptr) {
     variant = std::make_unique<IsoDialect>(base);
-    variant->formulas = fanucFormulas(signed_angles);
-    if (haas) {
-      variant->messages.alarm = kHaasAlarms;
-      variant->rules.words_behind_if = true;
-    }
+    variant->formulas = fanucFormulas(true);
   }
   return *variant;
 }

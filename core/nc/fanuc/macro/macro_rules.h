@@ -28,7 +28,7 @@ inline constexpr std::array<SystemLetter, 3> kFanucLetters{
 /// Sets what calls, the macro language and system variables of a dialect follow.
 void takeMacroRules(IsoDialect& dialect, bool lathe);
 
-/// The dialect as the settings of the job have its macro language: `atan_range`, `flavour`. It lives as long
+/// The dialect as the settings of the job have its macro language: `atan_range`. It lives as long
 /// as the process, and so must `base`.
 const IsoDialect& macroVariant(const IsoDialect& base, const std::map<std::string, double>& settings);
 

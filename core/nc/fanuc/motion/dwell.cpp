@@ -1,19 +1,9 @@
 #include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/motion/motion_plans.h"
-#include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/perform/perform.h"
 
 namespace proveout::nc {
-namespace {
-
-bool performFanucDwell(IsoContext& c, BlockPlan& plan) {
-  PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
-  item.value = std::get<Dwell>(plan.payload).seconds;
-  return c.pipe.push(item);
-}
-
-}  // namespace
-
 bool planFanucDwell(IsoContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   const Word* time = nullptr;
@@ -32,7 +22,7 @@ bool planFanucDwell(IsoContext& c, BlockPlan& plan) {
   if (time->value < 0.0) return c.alarm(SharedAlarm::kSign, *time, "a dwell is not negative");
   const bool seconds = time->address != 'P' || time->point;
   plan.payload.emplace<Dwell>().seconds = seconds ? time->value : 1e-3 * time->value;
-  plan.perform = performFanucDwell;
+  plan.perform = performDwell;
   return true;
 }
 

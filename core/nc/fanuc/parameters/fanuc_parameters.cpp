@@ -94,4 +94,10 @@ const ParameterTable& fanucParameters() {
   return kTable;
 }
 
+double fanucSetting(const std::map<std::string, double>& settings, FanucParam p) {
+  const ParamInfo& row = fanucParameters().row(p);
+  const auto given = settings.find(std::string(row.name));
+  return given == settings.end() ? row.default_value : given->second;
+}
+
 }  // namespace proveout::nc

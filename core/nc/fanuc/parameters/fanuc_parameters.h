@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <string>
 
 #include "core/nc/iso/parameters/parameter_table.h"
 
@@ -63,6 +65,8 @@ inline constexpr double kHaasFlavour = 1.0;  ///< FanucParam::kFlavour
 constexpr ParamId paramId(FanucParam p) { return {ParamChapter::kOwn, static_cast<std::uint16_t>(p)}; }
 
 const ParameterTable& fanucParameters();
+/// A setting of the job, before there is a channel to ask: its value, or the default.
+double fanucSetting(const std::map<std::string, double>& settings, FanucParam p);
 /// Adds the rows of calls and of the macro language.
 void addMacroRows(ParameterTable& table);
 /// Adds the rows of lathes.

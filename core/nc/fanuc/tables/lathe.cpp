@@ -1,6 +1,8 @@
 // Codes of lathes in the systems A, B and C (sections 15 and 16), beside those that mills have too.
+#include <array>
+#include <vector>
+
 #include "core/nc/fanuc/frames/frames.h"
-#include "core/nc/fanuc/haas/haas.h"
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_plans.h"
 #include "core/nc/fanuc/motion/motion_plans.h"
@@ -33,6 +35,11 @@ constexpr GCode thread(int number10) {
                                     "fan-16-G32", "thread"));
 }
 
+constexpr GCode preset(int number10) {
+  return writtenAs(number10, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
+                                    "shifts of the work frames off"));
+}
+
 constexpr GCode finish(int number10) {
   return writtenAs(number10, action(lathe_code::kFinish, kOneShot, kSim, "PQUW", planFinishing, true,
                                     "fan-16-G70", "finish of a contour"));
@@ -63,6 +70,15 @@ constexpr GCode threadCycle(int number10) {
                    action(lathe_code::kThreadCycle, kOneShot, kSim, "XYZUVWPQRIKDA", planThreadCycle, true,
                           "fan-16-G76 fan-16-G76one haas-18-latheG76", "thread in passes"));
 }
+/// The cycles of contours, which have neighbouring numbers in each system.
+constexpr std::array<GCode, 7> contourCycles(int first10) {
+  return {finish(first10),          roughTurning(first10 + 10), roughFacing(first10 + 20),
+          pattern(first10 + 30),    facePeck(first10 + 40),     groove(first10 + 50),
+          threadCycle(first10 + 60)};
+}
+constexpr auto kContourCyclesAB = contourCycles(700);
+constexpr auto kContourCyclesC = contourCycles(720);
+
 constexpr GCode drilling(int code10, int number10, std::string_view ids, std::string_view meaning) {
   return writtenAs(number10,
                    action(code10, kGroupCycle, kSim, "XYZUVWRQPK", planLatheDrilling, false, ids, meaning));
@@ -92,15 +108,7 @@ constexpr auto kLatheTableA = std::to_array<GCode>({
     thread(320),
     writtenAs(500, action(gcode::kSetPosition, kOneShot, kSim, kAxes, planSetPosition, true,
                           "fan-15-G50 fan-15-G50S", "coordinates of the present position, speed limit")),
-    writtenAs(503, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
-                          "shifts of the work frames off")),
-    finish(700),
-    roughTurning(710),
-    roughFacing(720),
-    pattern(730),
-    facePeck(740),
-    groove(750),
-    threadCycle(760),
+    preset(503),
     turning(900),
     threading(920),
     facing(940),
@@ -111,19 +119,13 @@ constexpr auto kLatheTableA = std::to_array<GCode>({
 constexpr auto kNotInA = std::to_array<std::int32_t>({330, 500, 510, 910, 921, 950});
 
 constexpr auto kLatheTableB = std::to_array<GCode>({
-    thread(330),
-    finish(700),
-    roughTurning(710),
-    roughFacing(720),
-    pattern(730),
-    facePeck(740),
-    groove(750),
-    threadCycle(760),
     turning(770),
     threading(780),
     facing(790),
-    writtenAs(921, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
-                          "shifts of the work frames off")),
+});
+constexpr auto kLatheTableBC = std::to_array<GCode>({
+    thread(330),
+    preset(921),
     modal(980, kGroupReturn, kSim, "fan-15-systems", "cycles return to the start level"),
     modal(990, kGroupReturn, kSim, "fan-15-systems", "cycles return to level R"),
 });
@@ -133,61 +135,12 @@ constexpr auto kLatheTableC = std::to_array<GCode>({
     turning(200),
     threading(210),
     facing(240),
-    thread(330),
     writtenAs(700, modal(gcode::kInch, kGroupUnits, kSim, "fan-15-systems", "inch data")),
     writtenAs(710, modal(gcode::kMetric, kGroupUnits, kSim, "fan-15-systems", "metric data")),
-    finish(720),
-    roughTurning(730),
-    roughFacing(740),
-    pattern(750),
-    facePeck(760),
-    groove(770),
-    threadCycle(780),
-    writtenAs(921, action(921, kOneShot, kSim, kAxes, planLathePreset, true, "fan-15-G50",
-                          "shifts of the work frames off")),
-    modal(980, kGroupReturn, kSim, "fan-15-systems", "cycles return to the start level"),
-    modal(990, kGroupReturn, kSim, "fan-15-systems", "cycles return to level R"),
 });
-
-constexpr GCode haasFrame(int code10) {
-  return modal(code10, kGroupWorkSystem, kSim, "haas-18-G110", "additional work system", {}, true);
-}
 
 constexpr auto kHaasLatheTableG = std::to_array<GCode>({
     action(40, kOneShot, kTime, "PXU", planFanucDwell, false, "fan-4-G04 haas-18-G04", "dwell"),
-    action(280, kOneShot, kSim, kAxes, planHaasReference, true, "fan-5-G28 haas-18-G28",
-           "to reference point 1 by way of an intermediate point; without axes all of them"),
-    action(520, kOneShot, kSim, kAxes, planHaasLocalFrame, true, "fan-6-G52 haas-18-G52",
-           "local coordinate system"),
-    action(1030, kOneShot, kHost, "P", planNoted, false, "haas-18-G103", "limit of the look-ahead"),
-    haasFrame(1100),
-    haasFrame(1110),
-    haasFrame(1120),
-    haasFrame(1130),
-    haasFrame(1140),
-    haasFrame(1150),
-    haasFrame(1160),
-    haasFrame(1170),
-    haasFrame(1180),
-    haasFrame(1190),
-    haasFrame(1200),
-    haasFrame(1210),
-    haasFrame(1220),
-    haasFrame(1230),
-    haasFrame(1240),
-    haasFrame(1250),
-    haasFrame(1260),
-    haasFrame(1270),
-    haasFrame(1280),
-    haasFrame(1290),
-    modal(1540, kGroupWorkSystem, kSim, "haas-18-G154", "additional work systems", "P", true),
-    action(1870, kOneShot, kTime, "PE", planNoted, false, "haas-18-G187", "smoothness"),
-});
-constexpr auto kHaasLatheTableM = std::to_array<MCode>({
-    {31, MPhase::kBefore, 0, kHost, {}, "haas-18-M", "chip conveyor forward"},
-    {33, MPhase::kAfter, 0, kHost, {}, "haas-18-M", "chip conveyor stop"},
-    {97, MPhase::kCall, kFlowCodes, kSim, "PL", "haas-18-M97", "call of a part of the program"},
-    {98, MPhase::kCall, kFlowCodes, kSim, "PL", "fan-11-M98 haas-18-M98L", "subprogram call"},
 });
 
 constexpr auto kLatheTableM = std::to_array<MCode>({
@@ -198,17 +151,17 @@ constexpr auto kLatheTableM = std::to_array<MCode>({
 }  // namespace
 
 CodeTable fanucLatheTable() { return {kLatheTableG, kLatheTableM, {}}; }
-CodeTable haasLatheTable() { return {kHaasLatheTableG, kHaasLatheTableM, {}}; }
-CodeTable fanucLatheSystemTable(GCodeSystem system) {
+CodeTable haasLatheTable() { return {kHaasLatheTableG, {}, {}}; }
+std::vector<CodeTable> fanucLatheSystemTables(GCodeSystem system) {
   switch (system) {
     case GCodeSystem::kA:
-      return {kLatheTableA, {}, {}};
+      return {{kLatheTableA, {}, {}}, {kContourCyclesAB, {}, {}}};
     case GCodeSystem::kB:
-      return {kLatheTableB, {}, {}};
+      return {{kLatheTableB, {}, {}}, {kLatheTableBC, {}, {}}, {kContourCyclesAB, {}, {}}};
     case GCodeSystem::kC:
       break;
   }
-  return {kLatheTableC, {}, {}};
+  return {{kLatheTableC, {}, {}}, {kLatheTableBC, {}, {}}, {kContourCyclesC, {}, {}}};
 }
 std::span<const std::int32_t> notInSystem(GCodeSystem system) {
   return system == GCodeSystem::kA ? std::span<const std::int32_t>(kNotInA)

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "core/nc/iso/model/codes.h"
 
@@ -19,12 +20,14 @@ CodeTable fanucMacroTable();
 // Lathes: the rows of all systems of G codes, those of one, and numbers of mills that it does not have.
 enum class GCodeSystem : std::uint8_t { kA, kB, kC };
 CodeTable fanucLatheTable();
-CodeTable haasLatheTable();  ///< what Haas lathes have beside them
-CodeTable fanucLatheSystemTable(GCodeSystem system);
+std::vector<CodeTable> fanucLatheSystemTables(GCodeSystem system);
 std::span<const std::int32_t> notInSystem(GCodeSystem system);
 // Mills.
 CodeTable fanucCyclesTable();
-/// Mills of Haas: instead of rows of the others, or beside them.
+// Haas, instead of rows of the others or beside them: mills and lathes, G110 to G129 of both, one of them.
+CodeTable haasTable();
+CodeTable haasFramesTable();
 CodeTable haasMillTable();
+CodeTable haasLatheTable();
 
 }  // namespace proveout::nc

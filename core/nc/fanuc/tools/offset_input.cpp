@@ -5,7 +5,7 @@
 
 #include "core/nc/fanuc/frames/frames.h"
 #include "core/nc/fanuc/tools/offsets.h"
-#include "core/nc/iso/context/origins.h"
+#include "core/nc/iso/tools/tools.h"
 
 namespace proveout::nc {
 namespace {
@@ -13,14 +13,13 @@ namespace {
 constexpr double kLargestOffsetMm = 9999.999;
 
 bool performFanucOffset(IsoContext& c, BlockPlan& plan) {
+  if (!performOffset(c, plan)) return false;
   const OffsetChange& change = std::get<OffsetChange>(plan.payload);
   OffsetTables& offsets = c.registers.offsets;
-  for (std::size_t k = 0; k < change.count; ++k) {
-    const OffsetChange::Cell& cell = change.cells[k];
-    const std::uint32_t by = numberOf(c, *c.word(cell.word), OriginKind::kData);
-    offsets.set(cell.column, change.row, change.wear, cell.value, by);
-    // One value a number: what the job may have given as its wear is part of it.
-    if (fanucOffsetMemory(c) == FanucMemory::kA) offsets.set(cell.column, change.row, true, 0.0, by);
+  // One value a number: what the job may have given as its wear is part of it.
+  for (std::size_t k = 0; fanucOffsetMemory(c) == FanucMemory::kA && k < change.count; ++k) {
+    const OffsetColumn column = change.cells[k].column;
+    offsets.set(column, change.row, true, 0.0, offsets.setBy(column, change.row).geometry);
   }
   // Compensation takes the new value with its next vector.
   if (plan.next.d == change.row) plan.next.d_radius = offsets.effective(OffsetColumn::kRadius, change.row);

@@ -426,7 +426,7 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
     return c.fail(SharedAlarm::kPlaneInComp,
                   "the plane cannot change while cutter compensation (G41, G42) is on");
   }
-  if (plan.next.compOn() && plan.next.inCycle() && !c.dialect.rules.cycles_in_compensation) {
+  if (plan.next.compOn() && plan.next.inCycle()) {
     return c.fail("cycle-in-comp",
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }

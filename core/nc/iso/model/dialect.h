@@ -67,10 +67,9 @@ struct IsoRules {
   bool last_of_group = false;    ///< of several codes of a group in a block the last holds; false: they clash
   bool offsets_by_tool = false;  ///< T names the offsets too: H and D name none, and what T changes is there
                                  ///< before the block moves
-  bool set_position_steps = false;      ///< U, V, W of G92 add to the position; false: they are refused
-  bool directions_meet = false;         ///< lines by ,A meet in a corner without G41, G42 too
-  bool keeps_return_level = false;      ///< the end of a drilling cycle leaves G98 and G99 as they are
-  bool cycles_in_compensation = false;  ///< drilling cycles run under G41 and G42
+  bool set_position_steps = false;  ///< U, V, W of G92 add to the position; false: they are refused
+  bool directions_meet = false;     ///< lines by ,A meet in a corner without G41, G42 too
+  bool keeps_return_level = false;  ///< the end of a drilling cycle leaves G98 and G99 as they are
   bool motion_or_cycle =
       false;                    ///< of a motion code and a cycle in a block the later one holds; false: clash
   int local_call = -1;          ///< M code whose P is a block N of the same program to call; -1: none

@@ -236,15 +236,11 @@ bool planArc(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
-namespace {
-
 bool performDwell(IsoContext& c, BlockPlan& plan) {
   PathItem item = functionItem(c, PathItem::Kind::kDwell, plan.next);
   item.value = std::get<Dwell>(plan.payload).seconds;
   return c.pipe.push(item);
 }
-
-}  // namespace
 
 bool planDwell(IsoContext& c, BlockPlan& plan) {
   plan.perform = performDwell;

@@ -18,6 +18,8 @@ bool performFunctions(IsoContext& c, BlockPlan& plan, MPhase phase);
 
 /// Perform function of the motion codes: plan.motion.
 bool performMove(IsoContext& c, BlockPlan& plan);
+/// The dwell of plan.payload. False: an error was reported.
+bool performDwell(IsoContext& c, BlockPlan& plan);
 /// The block as an item of that kind: a motion, or one that stays.
 bool pushMotion(IsoContext& c, BlockPlan& plan, PathItem::Kind kind);
 

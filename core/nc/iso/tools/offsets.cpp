@@ -4,10 +4,9 @@
 #include "core/nc/iso/context/origins.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/tools/tools.h"
 
 namespace proveout::nc {
-namespace {
-
 bool performOffset(IsoContext& c, BlockPlan& plan) {
   const OffsetChange& change = std::get<OffsetChange>(plan.payload);
   OffsetTables& offsets = c.registers.offsets;
@@ -19,6 +18,8 @@ bool performOffset(IsoContext& c, BlockPlan& plan) {
   if (change.tip >= 0) offsets.setTip(change.row, change.tip);
   return true;
 }
+
+namespace {
 
 /// The row of P, and that no word stands there but `allowed`. Null: reported.
 OffsetChange* beginChange(IsoContext& c, BlockPlan& plan, AddressSet allowed) {

@@ -10,6 +10,8 @@ bool planTool(IsoContext& c, BlockPlan& plan, const Word& t);
 /// Row of the offset table that an H or D word means: N2923 stands for that of the tool in the spindle.
 /// False: reported.
 bool offsetRowOfTool(IsoContext& c, const Word& w, std::int64_t& row);
+/// Puts the cells of plan.payload (OffsetChange) into the tables. Always true.
+bool performOffset(IsoContext& c, BlockPlan& plan);
 
 /// The tool `type` of the row (0: without tool management) is in the spindle from here on.
 bool sendToolChange(IsoContext& c, int type, int row);
