@@ -23,17 +23,7 @@ bool takeDrillWords(IsoContext& c, BlockPlan& plan) {
   CycleWords& words = plan.next.cycle;
   Holes& holes = plan.payload.emplace<Holes>();
   const bool system_a = c.parameters[FanucParam::kGcodeSystem] == 0.0;
-  for (const Word& w : c.block.words) {
-    AxisWord word;
-    if (!axisWord(plan, w, word)) continue;
-    if (word.axis == words.drill_axis) {
-      words.bottom = axisValue(c, plan, word, w);
-      words.bottom_incremental = word.step;
-    } else {
-      holes.step[word.axis] = axisValue(c, plan, word, w);
-      holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
-    }
-  }
+  takeHoleWords(c, plan, holes);
   if (c.ownWord(plan, 'R') != nullptr) {
     words.r = lengthWord(c, plan, 'R');
     words.r_incremental = system_a || plan.next.incremental();
@@ -55,12 +45,6 @@ bool takeDrillWords(IsoContext& c, BlockPlan& plan) {
 bool expandHoles(IsoContext& c, BlockPlan& plan) {
   const CycleWords& words = plan.next.cycle;
   Holes& holes = std::get<Holes>(plan.payload);
-  const auto height = [&](double value) {
-    AxisPoint p = plan.start;
-    p[words.drill_axis] = value;
-    plan.chain->moveToWork(p);
-    return p[words.drill_axis];
-  };
   DrillCycle cycle;
   const std::int32_t code = plan.next.active[kGroupCycle];
   const bool fast = !c.parameters.flag(FanucParam::kPeckToR);
@@ -73,12 +57,7 @@ bool expandHoles(IsoContext& c, BlockPlan& plan) {
     noteSetting(c, FanucParam::kPeckToR,
                 "between pecks G83 and G87 return a little (\"short\") or to level R (\"full\", 5101#2 RTR)");
   holes.code = cycle.code;
-  holes.initial = words.initial;
-  holes.r = !words.r ? words.initial : words.r_incremental ? words.initial + *words.r : *words.r;
-  cycle.initial = holes.work_initial = height(holes.initial);
-  cycle.r = holes.work_r = height(holes.r);
-  cycle.bottom = holes.work_bottom =
-      height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
+  takeLevels(plan, holes, cycle);
   const bool system_a = c.parameters[FanucParam::kGcodeSystem] == 0.0;
   cycle.return_to_r = !system_a && plan.next.active[kGroupReturn] == gcode::kReturnToR;
   cycle.peck = words.peck;

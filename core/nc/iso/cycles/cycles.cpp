@@ -88,6 +88,37 @@ bool cycleFunction(IsoContext& c, BlockPlan& plan, const DrillStep& step);
 
 }  // namespace
 
+void takeHoleWords(const IsoContext& c, BlockPlan& plan, Holes& holes) {
+  CycleWords& words = plan.next.cycle;
+  for (const Word& w : c.block.words) {
+    AxisWord word;
+    if (!axisWord(plan, w, word)) continue;
+    if (word.axis == words.drill_axis) {
+      words.bottom = axisValue(c, plan, word, w);
+      words.bottom_incremental = word.step;
+    } else {
+      holes.step[word.axis] = axisValue(c, plan, word, w);
+      holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
+    }
+  }
+}
+
+void takeLevels(const BlockPlan& plan, Holes& holes, DrillCycle& cycle) {
+  const CycleWords& words = plan.next.cycle;
+  const auto height = [&](double value) {
+    AxisPoint p = plan.start;
+    p[words.drill_axis] = value;
+    plan.chain->moveToWork(p);
+    return p[words.drill_axis];
+  };
+  holes.initial = words.initial;
+  holes.r = !words.r ? words.initial : words.r_incremental ? words.initial + *words.r : *words.r;
+  cycle.initial = holes.work_initial = height(holes.initial);
+  cycle.r = holes.work_r = height(holes.r);
+  cycle.bottom = holes.work_bottom =
+      height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
+}
+
 namespace {
 
 /// N1503.CSM frees G73, G74 and G76 for turning: drilling then has G83.1, G84.1 and G86.1.
@@ -211,17 +242,7 @@ bool planHoles(IsoContext& c, BlockPlan& plan, const CycleRules& rules, HolesFro
   }
   Holes& holes = plan.payload.emplace<Holes>();
   holes.listed = from == HolesFrom::kPoints;
-  for (const Word& w : c.block.words) {
-    AxisWord word;
-    if (!axisWord(plan, w, word)) continue;
-    if (word.axis == drill) {
-      words.bottom = axisValue(c, plan, word, w);
-      words.bottom_incremental = word.step;
-    } else {
-      holes.step[word.axis] = axisValue(c, plan, word, w);
-      holes.incremental[static_cast<std::size_t>(word.axis)] = word.step;
-    }
-  }
+  takeHoleWords(c, plan, holes);
   if (c.block.present.has(kCommaDirection)) directedHoles(plan, holes);
   if (plan.next.active[kGroupPolarData] == gcode::kPolarData) polarHoles(c, plan, holes);
   if (const Word* r = c.ownWord(plan, 'R')) {
@@ -333,23 +354,12 @@ bool checkCycle(IsoContext& c, const BlockPlan& plan, DrillCode code) {
 bool expandCycle(IsoContext& c, BlockPlan& plan, const CycleRules& rules) {
   const CycleWords& words = plan.next.cycle;
   Holes& holes = std::get<Holes>(plan.payload);
-  const auto height = [&](double value) {
-    AxisPoint p = plan.start;
-    p[words.drill_axis] = value;
-    plan.chain->moveToWork(p);
-    return p[words.drill_axis];
-  };
   DrillCycle cycle;
   cycle.code = holes.code;
   if (cycle.code == DrillCode::kBackBore && !c.parameters.flag(MachineParam::kSpindleOrients)) {
     cycle.code = DrillCode::kBackBoreManual;
   }
-  holes.initial = words.initial;
-  holes.r = words.r_incremental ? words.initial + *words.r : *words.r;
-  cycle.initial = holes.work_initial = height(holes.initial);
-  cycle.r = holes.work_r = height(holes.r);
-  cycle.bottom = holes.work_bottom =
-      height(words.bottom_incremental ? holes.r + *words.bottom : *words.bottom);
+  takeLevels(plan, holes, cycle);
   cycle.return_to_r = plan.next.active[kGroupReturn] == gcode::kReturnToR;
   cycle.peck = words.peck;
   const bool rigid = isRigid(cycle.code);
