@@ -11,6 +11,7 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/macro/lcn_o_words.cpp
   nc/linuxcnc/macro/lcn_variables.cpp
   nc/linuxcnc/program/lcn_comments.cpp
+  nc/linuxcnc/program/lcn_contour.cpp
   nc/linuxcnc/program/lcn_functions.cpp
   nc/linuxcnc/program/lcn_kept.cpp
   nc/linuxcnc/program/lcn_language.cpp
@@ -32,10 +33,13 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/comp/comp_codes.cpp
   nc/linuxcnc/stages/comp_stage.cpp
   nc/linuxcnc/cycles/drill.cpp
+  nc/linuxcnc/cycles/level_cutter.cpp
   nc/linuxcnc/cycles/profile.cpp
   nc/linuxcnc/cycles/rough.cpp
+  nc/linuxcnc/cycles/rough_contour.cpp
   nc/linuxcnc/cycles/thread.cpp
   nc/linuxcnc/flavours/flavours.cpp
+  nc/linuxcnc/flavours/grbl.cpp
   nc/linuxcnc/flavours/mach3.cpp
   nc/linuxcnc/frames/frames.cpp
   nc/linuxcnc/frames/tools.cpp

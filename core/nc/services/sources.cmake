@@ -8,6 +8,7 @@ target_sources(proveout_core PRIVATE
   nc/services/contour/contour_crossing.cpp
   nc/services/contour/contour_elements.cpp
   nc/services/contour/contour_offset.cpp
+  nc/services/contour/contour_parallel.cpp
   nc/services/contour/contour_passes.cpp
   nc/services/contour/contour_profile.cpp
   nc/services/contour/contour_shift.cpp

@@ -5,6 +5,7 @@
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/tools/tools.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/flavours/grbl.h"
 #include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 #include "core/nc/linuxcnc/text/lcn_unused.h"
@@ -75,10 +76,16 @@ bool lcnChooseGovernor(IsoContext& c, BlockPlan& plan) {
   // G51 and G68 of Mach3 have axis words of their own.
   const bool transforms =
       (scaling != nullptr && scaling->code10 == 510) || (rotation != nullptr && rotation->code10 == 680);
-  const bool by_words = transforms || (length != nullptr &&
-                                       (length->code10 == lcn::kLengthByWords ||
-                                        (length->code10 == lcn::kLengthAdded && !c.block.present.has('H'))));
+  bool by_words = transforms ||
+                  (length != nullptr && (length->code10 == lcn::kLengthByWords ||
+                                         (length->code10 == lcn::kLengthAdded && !c.block.present.has('H'))));
   const bool axes = lcnAnyAxis(c);
+  // In GRBL G49 takes the axis words of its line, and does nothing with them.
+  if (isPlainGrbl(c) && length != nullptr && length->code10 == gcode::kLengthOff) {
+    if (axes)
+      c.warnOnce("grbl g49", "unused-word", "axis words beside G49 have no effect in GRBL: nothing moves");
+    by_words = true;
+  }
   if (motion != nullptr && motion->code10 != lcn::kNoMotion) {
     if ((covets || (by_words && axes)) && axes)
       return lcnFail(c, "axis-words", "Cannot use two g codes that both use axis values");
@@ -121,6 +128,19 @@ bool lcnPlanFeedWords(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// S alone: no number of a spindle by P, no limit by G92, as other controls have them.
+bool lcnPlanSpindle(IsoContext& c, BlockPlan& plan) {
+  const AddressSet claimed = plan.claimed;
+  const GCode*& one_shot = plan.by_group[kOneShot];
+  const GCode* const kept = one_shot;
+  plan.claimed.add('P');
+  if (one_shot != nullptr && one_shot->code10 == gcode::kSetPosition) one_shot = nullptr;
+  const bool good = planSpindle(c, plan);
+  one_shot = kept;
+  if (!claimed.has('P')) plan.claimed = plan.claimed.without("P");
+  return good;
+}
+
 bool lcnPlanSpeedWords(IsoContext& c, BlockPlan& plan) {
   IsoState& next = plan.next;
   if (const GCode* mode = plan.by_group[kGroupSurfaceSpeed]) {
@@ -137,7 +157,7 @@ bool lcnPlanSpeedWords(IsoContext& c, BlockPlan& plan) {
   if (const Word* s = c.word('S'); s != nullptr && s->value < 0.0)
     return lcnFail(c, "spindle", "Negative spindle speed used", s);
   const bool surface = next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed;
-  if ((c.block.present.has('S') || surface) && !planSpindle(c, plan)) return false;
+  if ((c.block.present.has('S') || surface) && !lcnPlanSpindle(c, plan)) return false;
   const bool left = c.state.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed && !surface;
   plan.spindle_changed = plan.spindle_changed || left;
   if (const Word* t = c.word('T')) {
@@ -258,9 +278,10 @@ bool planLinuxCncBlock(IsoContext& c, BlockPlan& plan) {
   plan.governor = c.codes.g(lcn::kNoMotion);
   plan.next.axes.threading = false;
   if (c.block.number >= 0) plan.next.last.n = c.block.number;
-  return lcnTakeCodes(c, plan) && collectM(c, plan) && lcnChooseGovernor(c, plan) &&
-         lcnPlanFeedWords(c, plan) && lcnPlanSpeedWords(c, plan) && lcnPlanModes(c, plan) &&
-         flavourTakesWords(c, plan) && lcnGovern(c, plan) && lcnCheckWords(c, plan);
+  return lcnTakeCodes(c, plan) && (!isPlainGrbl(c) || grblTakesBlock(c, plan)) && collectM(c, plan) &&
+         lcnChooseGovernor(c, plan) && lcnPlanFeedWords(c, plan) && lcnPlanSpeedWords(c, plan) &&
+         lcnPlanModes(c, plan) && flavourTakesWords(c, plan) && lcnGovern(c, plan) &&
+         (isPlainGrbl(c) ? grblUsesWords(c, plan) : lcnCheckWords(c, plan));
 }
 
 void powerOnLinuxCnc(const IsoContext& c, IsoState& s) {

@@ -35,10 +35,14 @@ bool lcnMove(IsoContext& c, const BlockPlan& plan, const LinuxCncStep& step) {
   }
   if (step.kind == Kind::kThread) item.feed.kind = MotionKind::kThread;
   if (step.kind == Kind::kThread && step.value > 0.0) item.feed.feed = step.value;
+  const bool bare = step.bare && item.comp_on;
+  item.comp_on = item.comp_on && !bare;
   if (item.comp_on) item.record = c.alarms.remember();
   c.position = step.to;
   c.machine = c.chain.machineOf(step.to);
-  return c.pipe.push(item);
+  if (!c.pipe.push(item)) return false;
+  if (bare) linuxCncChannel(c).comp.rebase(c.chain.workOf(c.position), plan.next.workPlane());
+  return true;
 }
 
 bool lcnFunction(IsoContext& c, BlockPlan& plan, const LinuxCncStep& step) {

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <functional>
+#include <set>
 #include <sstream>
 
 #include "core/base/characters.h"
 #include "core/nc/linuxcnc/files/lcn_lines.h"
 #include "core/nc/linuxcnc/files/lcn_var_file.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/text/lcn_line.h"
 
 namespace proveout::nc {
@@ -131,6 +134,14 @@ void takeAxes(const std::string& letters, ControlSettings& out) {
   }
 }
 
+/// GRBL and Smoothie have X, Y and Z unless somebody says more.
+bool mayHaveRotary(const ControlSettings& settings) {
+  const auto flavour = settings.parameters.find("flavour");
+  if (flavour == settings.parameters.end()) return true;
+  const auto is = static_cast<LinuxCncFlavour>(static_cast<int>(flavour->second));
+  return is != LinuxCncFlavour::kGrbl && is != LinuxCncFlavour::kSmoothie;
+}
+
 void takeLimits(const LcnIni& ini, double scale, ControlSettings& out) {
   for (int axis = 0; axis < 3; ++axis) {
     auto& limit = out.limits[static_cast<std::size_t>(axis)];
@@ -159,15 +170,45 @@ void addRotaryWords(std::string_view line, std::string& out) {
   }
 }
 
-}  // namespace
+/// The number behind the first q of a line with G70, G71 or G72; empty: there is none.
+std::string_view contourOf(std::string_view line) {
+  const std::size_t code = line.find("g7");
+  if (code == std::string_view::npos || code + 2 >= line.size() ||
+      std::string_view("012").find(line[code + 2]) == std::string_view::npos)
+    return {};
+  const std::size_t q = line.find('q');
+  if (q == std::string_view::npos) return {};
+  const std::size_t end = std::min(line.find_first_not_of("0123456789", q + 1), line.size());
+  return line.substr(q + 1, end - q - 1);
+}
 
-std::string lcnRotaryWords(std::string_view program) {
-  std::string out;
+/// Numbers of the subs that are contours of G70, G71, G72: A and C are corners there.
+std::set<std::string, std::less<>> contoursOf(std::string_view program) {
+  std::set<std::string, std::less<>> out;
   LcnLine line;
   LcnFault fault;
   forEachLcnLine(program, [&](std::string_view text) {
-    if (text.find_first_of("aAbBcC") == std::string_view::npos || !takeLcnLine(text, line, fault)) return;
-    if (!line.text.starts_with('o')) addRotaryWords(line.text, out);
+    if (text.find_first_of("qQ") != std::string_view::npos && takeLcnLine(text, line, fault))
+      if (const std::string_view number = contourOf(line.text); !number.empty()) out.emplace(number);
+  });
+  return out;
+}
+
+}  // namespace
+
+std::string lcnRotaryWords(std::string_view program) {
+  const auto contours = contoursOf(program);
+  std::string out;
+  bool corners = false;
+  LcnLine line;
+  LcnFault fault;
+  forEachLcnLine(program, [&](std::string_view text) {
+    if (text.find_first_of("aAbBcCoO") == std::string_view::npos || !takeLcnLine(text, line, fault)) return;
+    if (!line.text.starts_with('o')) return corners ? void() : addRotaryWords(line.text, out);
+    const std::size_t digits = std::min(line.text.find_first_not_of("0123456789", 1), line.text.size());
+    if (!contours.contains(line.text.substr(1, digits - 1))) return;
+    const std::string_view word = std::string_view(line.text).substr(digits);
+    if (word == "sub" || word.starts_with("endsub")) corners = word == "sub";
   });
   std::sort(out.begin(), out.end());
   return out;
@@ -212,7 +253,7 @@ ControlSettings withLcnMachine(const ControlSettings& settings, std::string_view
     takeAxes(named, out);
   } else if (const auto coordinates = ini.text("TRAJ", "COORDINATES")) {
     takeAxes(*coordinates, out);
-  } else if (out.axes.empty() && !out.machine) {
+  } else if (out.axes.empty() && !out.machine && mayHaveRotary(out)) {
     const std::string letters = lcnRotaryWords(program);
     takeAxes(letters, out);
     if (!letters.empty()) out.texts[kLcnAssumedAxes] = letters;

@@ -64,6 +64,8 @@ bool isGrbl(const IsoContext& c) {
          flavour == LinuxCncFlavour::kGrblHal;
 }
 
+bool isPlainGrbl(const IsoContext& c) { return isGrbl(c) && linuxCncFlavour(c) != LinuxCncFlavour::kGrblHal; }
+
 int grblError(std::string_view name) {
   for (const auto& [known, number] : kGrblErrors)
     if (known == name) return number;
@@ -107,11 +109,9 @@ bool flavourTakesWords(IsoContext& c, const BlockPlan& plan) {
     return lcnFail(c, "extruder", "E word: it feeds the filament of a printer, and this is no printer", e);
   const int motion = plan.governor->code10;
   if (motion == gcode::kArcClockwise || motion == gcode::kArcCounterClockwise) {
-    const Word* p = c.block.find('P');
-    if (p != nullptr && flavour == LinuxCncFlavour::kGrbl)
-      return lcnFail(c, "unused-word", "P word in an arc: GRBL goes no further turns", p);
     const WorkPlane plane = plan.next.workPlane();
-    if (isGrbl(c) && c.block.findAxis(plane.u) == nullptr && c.block.findAxis(plane.v) == nullptr)
+    if (flavour == LinuxCncFlavour::kGrblHal && c.block.findAxis(plane.u) == nullptr &&
+        c.block.findAxis(plane.v) == nullptr)
       return lcnFail(c, "axis-words",
                      "No axis words in the plane of the arc: a full circle needs its end too");
   }

@@ -12,6 +12,8 @@ enum class LinuxCncFlavour : std::uint8_t { kLinuxCnc, kGrbl, kMach3, kPathPilot
 LinuxCncFlavour linuxCncFlavour(const IsoContext& c);
 /// GRBL and those that follow it: errors have numbers, few codes.
 bool isGrbl(const IsoContext& c);
+/// GRBL 1.1 itself and Smoothie: no parameters, no O-words, no cycles.
+bool isPlainGrbl(const IsoContext& c);
 
 /// Whether the flavour has the G or M code. False: reported.
 bool flavourTakesG(IsoContext& c, const Word& w, int code10);

@@ -43,7 +43,9 @@ bool lcnTakeFrames(IsoContext& c, BlockPlan& plan) {
 /// The system of P; 0 is the active one. False: reported.
 bool lcnSystemWord(IsoContext& c, const BlockPlan& plan, const char* code, WorkSystemId& id) {
   const Word* p = c.ownWord(plan, 'P');
-  const double number = p == nullptr ? -1.0 : std::floor(p->value + 1e-4);
+  // GRBL takes the frame in force where P is missing.
+  const double none = isPlainGrbl(c) ? 0.0 : -1.0;
+  const double number = p == nullptr ? none : std::floor(p->value + 1e-4);
   if (!(number >= 0.0 && number <= kLcnSystems))
     return lcnFail(c, "data", fmt::format("P value out of range (0-9) with {}", code), p);
   id = number == 0.0 ? plan.next.work_system : linuxCncSystem(static_cast<int>(number));
@@ -206,8 +208,9 @@ bool planLcnHome(IsoContext& c, BlockPlan& plan) {
 }
 
 bool planLcnStoreHome(IsoContext& c, BlockPlan& plan) {
-  if (plan.by_group[kGroupMotion] != nullptr && lcnAnyAxis(c))
-    return lcnFail(c, "axis-words", "G28.1 and G30.1 stand in a line of their own here");
+  if (plan.governor->plan == planLcnProbe || plan.governor->plan == planLcnNurbs ||
+      plan.governor->plan == planLcnKnots)
+    return lcnFail(c, "home", "G28.1 and G30.1 stand in a line without a probing move or a spline here");
   linuxCncChannel(c).stores_home = plan.by_group[kOneShot]->code10;
   return true;
 }

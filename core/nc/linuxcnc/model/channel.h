@@ -35,6 +35,7 @@ struct LinuxCncStep {
   double sweep = 0.0;          ///< kArc: rad, > 0 from u to v
   double value = 0.0;          ///< kDwell: s; kThread: lead, mm a turn; kSpindle: direction
   bool probes = false;         ///< kFeed: measures
+  bool bare = false;           ///< kRapid: without the compensation that is on, which begins behind it
 };
 
 /// Words that hold while the same cycle code repeats. Lengths as programmed, in mm.
@@ -78,6 +79,12 @@ struct LinuxCncFrames {
   WorkSystem system;
 };
 
+/// A line of the sub that G70, G71 and G72 take their contour from.
+struct LinuxCncContourLine {
+  std::vector<Word> words;
+  std::size_t line = 0;  ///< index in its text
+};
+
 /// What G10 L0, L1, L10, L11 sets.
 struct LinuxCncToolData {
   int row = 0;                                  ///< 0: the table is read anew
@@ -104,6 +111,9 @@ class LinuxCncChannel final : public MakerData {
   std::optional<LinuxCncFrames> pending;  ///< planned by the block in hand
   int stores_home = 0;                    ///< 281, 301: the block in hand is G28.1, G30.1
   LinuxCncToolData tool_data;
+  /// The lines of the sub of G70, G71, G72 in the block in hand; nothing: there is no such sub.
+  std::optional<std::vector<LinuxCncContourLine>> contour;
+  std::optional<AxisPoint> contour_at;  ///< while that sub runs: where its lines have come to
   AxisPoint home28, home30;                     ///< of G28 and G30, machine coordinates
   bool arc_mode_said = false;                   ///< the program has given G90.1 or G91.1
   bool homes_known = false;                     ///< somebody said where they are

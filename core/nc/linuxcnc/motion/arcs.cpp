@@ -39,6 +39,11 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
   for (int axis = 0; axis < 3; ++axis) {
     const Word* w = c.ownWord(plan, "IJK"[axis]);
     if (w == nullptr) continue;
+    if (axis == frame.w() && isPlainGrbl(c)) {
+      c.warnOnce("grbl arc word", "unused-word",
+                 fmt::format("{} across the plane of an arc has no effect in GRBL", "IJK"[axis]), w->columns);
+      continue;
+    }
     if (axis == frame.w())
       return lcnFail(c, "arc-plane", fmt::format("{} word given for arc in {} plane", "IJK"[axis], name), w);
     double& at = axis == frame.u() ? arc.center.x() : arc.center.y();
@@ -102,7 +107,8 @@ bool planLcnArc(IsoContext& c, BlockPlan& plan) {
   const Word* r = c.ownWord(plan, 'R');
   LinuxCncChannel& own = linuxCncChannel(c);
   if (!lcnTarget(c, plan, plan.motion.target)) return false;
-  if (r != nullptr && ijk) return lcnFail(c, "arc-form", "Mixed radius ijk format for arc", r);
+  if (r != nullptr && ijk && !isPlainGrbl(c))
+    return lcnFail(c, "arc-form", "Mixed radius ijk format for arc", r);
   if (r == nullptr && !ijk) return lcnFail(c, "arc-form", "R i j k words all missing for arc");
   if (!plan.next.compOn() && !own.next.arc_after_comp)
     return lcnFail(c, "comp",
@@ -114,7 +120,7 @@ bool planLcnArc(IsoContext& c, BlockPlan& plan) {
   arc.ccw = plan.next.active[kGroupMotion] == gcode::kArcCounterClockwise;
   if (r != nullptr ? !lcnRadius(c, plan, *r, arc) : !lcnCentre(c, plan, arc)) return false;
   std::int64_t turns = 1;
-  if (const Word* p = c.ownWord(plan, 'P')) {
+  if (const Word* p = isPlainGrbl(c) ? nullptr : c.ownWord(plan, 'P')) {
     if (!lcnInteger(c, *p, turns)) return false;
     if (turns < 1) return lcnFail(c, "arc-turns", "P value not an integer above 0 with an arc", p);
   }

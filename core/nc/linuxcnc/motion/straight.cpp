@@ -16,7 +16,8 @@ bool lcnMachineWords(IsoContext& c, const BlockPlan& plan) {
   if (motion != gcode::kRapid && motion != gcode::kLine)
     return lcnFail(c, "machine-move", "Must use g0 or g1 with g53");
   if (lcnCompOn(c, plan)) return lcnFail(c, "comp", "Cannot use g53 with cutter radius compensation on");
-  if (plan.next.incremental()) return lcnFail(c, "machine-move", "Cannot use g53 incremental");
+  if (plan.next.incremental() && !isPlainGrbl(c))
+    return lcnFail(c, "machine-move", "Cannot use g53 incremental");
   return true;
 }
 
@@ -40,7 +41,7 @@ bool planLcnNothing(IsoContext& c, BlockPlan& plan) {
   plan.motion.target = plan.start;
   plan.perform = performLinuxCncSteps;
   const GCode* one_shot = plan.by_group[kOneShot];
-  if (one_shot != nullptr && one_shot->code10 == gcode::kMachineMove)
+  if (one_shot != nullptr && one_shot->code10 == gcode::kMachineMove && !isPlainGrbl(c))
     return lcnFail(c, "machine-move", "Must use g0 or g1 with g53");
   return true;
 }

@@ -79,6 +79,7 @@ std::optional<Go> LinuxCncLanguage::statement(StatementFlow& flow) {
   if (!started_ && !start(flow)) return flow.failed(true);
   if (o_word_) return oWord(flow);
   seeking_ = false;
+  if (contourDone()) return words(flow);
   for (const Assignment& a : assignments_) {
     if (a.to.number > 0) {
       assign(a.to.number, a.value);
@@ -86,9 +87,20 @@ std::optional<Go> LinuxCncLanguage::statement(StatementFlow& flow) {
       variables_.putNamed(a.to.name, a.value);
     }
   }
-  if (!comment()) return flow.failed(false);
+  const bool contour = inContour();
+  if (!contour && !comment()) return flow.failed(false);
   if (calls_) return c_.block.find('P') != nullptr || !isReturn() ? callNumbered(flow) : returnNumbered(flow);
+  if (contour) {
+    takeContourLine();
+    return Go::kOn;
+  }
   if (const std::optional<Go> go = remapped(flow)) return go;
+  if (const std::optional<Go> go = openContour(flow)) return go;
+  return words(flow);
+}
+
+/// The words of the line. Nothing: they are to be planned.
+std::optional<Go> LinuxCncLanguage::words(StatementFlow& flow) {
   if (!functions(flow)) return flow.failed(false);
   if (c_.block.words.empty()) return Go::kOn;
   if (const Word* const t = c_.block.find('T'); t != nullptr && !selects(*t)) return flow.failed(false);
@@ -161,13 +173,14 @@ std::optional<Go> LinuxCncLanguage::endOfText(StatementFlow& flow) {
 void LinuxCncLanguage::left(const CallFrame& /*frame*/) {
   if (open_.empty()) return;
   if (open_.back().sub) variables_.leave();
+  if (open_.back().contour && contour_) contour_->done = true;
   open_.pop_back();
 }
 
 std::uint64_t LinuxCncLanguage::fingerprint() const {
   std::uint64_t repeats = 0;
   for (const Repeat& r : repeats_) repeats = repeats * 31 + static_cast<std::uint64_t>(r.left);
-  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0);
+  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0) + (contour_ ? contour_->done ? 3 : 2 : 0);
 }
 
 }  // namespace proveout::nc

@@ -16,9 +16,11 @@
 #include "core/nc/iso/context/context.h"
 #include "core/nc/iso/model/language.h"
 #include "core/nc/linuxcnc/files/lcn_settings.h"
+#include "core/nc/linuxcnc/flavours/grbl.h"
 #include "core/nc/linuxcnc/macro/lcn_expression.h"
 #include "core/nc/linuxcnc/macro/lcn_o_words.h"
 #include "core/nc/linuxcnc/macro/lcn_variables.h"
+#include "core/nc/linuxcnc/model/channel.h"
 #include "core/nc/linuxcnc/program/lcn_system_values.h"
 #include "core/nc/linuxcnc/text/lcn_line.h"
 
@@ -49,6 +51,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
 
   bool ofMachine(std::string_view name, Value& out) const;
   bool start(StatementFlow& flow);
+  std::optional<Go> words(StatementFlow& flow);
   void loadTools();
   void takeKept();
   void assign(int number, const Value& value);
@@ -58,6 +61,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
     LcnParameter to;
     Value value;
   };
+  GrblFault plainGrblFault() const;
   bool readItems(std::size_t pos, Block& block);
   bool readNumber(std::size_t& pos, Block& block);
   bool readWord(std::size_t& pos, Block& block);
@@ -95,6 +99,13 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   // program/lcn_remap.cpp
   const Word* remappedWord(std::string& code) const;
   std::optional<Go> remapped(StatementFlow& flow);
+
+  // program/lcn_contour.cpp
+  bool inContour() const;
+  bool contourDone();
+  std::optional<Go> openContour(StatementFlow& flow);
+  void contourGoesTo();
+  void takeContourLine();
 
   // program/lcn_saved_state.cpp
   struct Saved {
@@ -134,12 +145,24 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   struct Open {
     bool sub = false;        ///< by an O-word, with a level of parameters; else by M98
     std::string remap = {};  ///< the code that stands for the call
+    bool contour = false;    ///< of G70, G71, G72: its motions are gathered
   };
   /// A repeat that runs.
   struct Repeat {
     std::uint64_t run = 0;  ///< of its program (FlowFrame::run)
     std::size_t line = 0;
     std::int64_t left = 0;
+  };
+
+  /// A line with G70, G71 or G72 whose sub runs.
+  struct Contour {
+    std::uint64_t run = 0;  ///< of its program (FlowFrame::run)
+    std::size_t line = 0;
+    Block block;                      ///< its words
+    double unit = 1.0, x_unit = 1.0;  ///< mm of Z and X in its lines
+    bool steps = false;               ///< G91
+    std::vector<LinuxCncContourLine> lines;
+    bool done = false;  ///< the sub has returned
   };
 
   IsoContext& c_;
@@ -150,6 +173,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   std::vector<Open> open_;                     ///< calls, outermost first
   std::vector<Repeat> repeats_;
   std::vector<Saved> saved_;  ///< of M70 and M73
+  std::optional<Contour> contour_;
   LcnMachine machine_;
   std::set<int> tools_;                ///< of the tool table
   std::deque<std::string> own_lines_;  ///< that run now and stand in no program

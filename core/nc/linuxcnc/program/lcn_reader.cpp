@@ -6,6 +6,7 @@
 
 #include "core/base/characters.h"
 #include "core/nc/linuxcnc/flavours/flavours.h"
+#include "core/nc/linuxcnc/flavours/grbl.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 #include "core/nc/linuxcnc/text/lcn_groups.h"
 
@@ -45,6 +46,11 @@ bool LinuxCncLanguage::read(const SourceText& text, std::size_t line, Block& blo
     at = {static_cast<int>(first) + 1, static_cast<int>(first) + 2};
   } else if (!good) {
     at = {static_cast<int>(fault_.begin) + 1, static_cast<int>(fault_.end) + 1};
+  } else if (const GrblFault grbl_fault = plainGrblFault(); grbl_fault.number != 0) {
+    error = {c_.alarms.table().code(DiagnosticName(fmt::format("error-{}", grbl_fault.number))),
+             fmt::format("error:{} {}", grbl_fault.number, grblMeaning(grbl_fault.number)),
+             line_.columnsOf(grbl_fault.begin, grbl_fault.end)};
+    return false;
   } else {
     good = line_.text.starts_with('%') ? readPercent(text, line, block) : readItems(0, block);
     if (!good) at = line_.columnsOf(fault_.begin, fault_.end);
@@ -57,6 +63,15 @@ bool LinuxCncLanguage::read(const SourceText& text, std::size_t line, Block& blo
   }
   error = {c_.alarms.table().code(DiagnosticName(fault_.name)), fault_.message, at};
   return false;
+}
+
+/// What GRBL refuses of the line; it takes no %, but senders do not send it.
+GrblFault LinuxCncLanguage::plainGrblFault() const {
+  if (!isPlainGrbl(c_) || line_.text.starts_with('%')) return {};
+  std::string axes;
+  for (int axis = kMainAxes; axis < c_.axes.count(); ++axis)
+    for (const char letter : c_.axes.at(axis).name) axes += static_cast<char>(letter | 32);
+  return grblLineFault(line_.text, axes);
 }
 
 /// A % opens a text in its first line that is not blank, and then closes it.
@@ -78,7 +93,7 @@ bool LinuxCncLanguage::readPercent(const SourceText& text, std::size_t line, Blo
 bool LinuxCncLanguage::readItems(std::size_t pos, Block& block) {
   const std::string& text = line_.text;
   if (pos < text.size() && text[pos] == '/') {
-    block.skip = 1;
+    block.skip = isGrbl(c_) ? 0 : 1;  // GRBL drops the sign
     ++pos;
   }
   if (pos < text.size() && text[pos] == 'n' && !readNumber(pos, block)) return false;
@@ -90,6 +105,11 @@ bool LinuxCncLanguage::readItems(std::size_t pos, Block& block) {
            fault("o-word", "O-word without a number or a <name>", pos, text.size());
   }
   while (pos < text.size()) {
+    // GRBL takes N anywhere, and of T what stands in front of the point.
+    if (text[pos] == 'n' && isPlainGrbl(c_)) {
+      if (!readNumber(pos, block)) return false;
+      continue;
+    }
     if (text[pos] == '#' ? !readAssignment(pos) : !readWord(pos, block)) return false;
   }
   if (!assignments_.empty()) block.kind = LineKind::kAssignment;
@@ -128,7 +148,9 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
     return fault("bad-character", fmt::format("Bad character '{}' used", c), pos, pos + 1);
   // A and B of G68 in Mach3 are the centre.
   const bool centre = linuxCncFlavour(c_) == LinuxCncFlavour::kMach3 && (c == 'a' || c == 'b');
-  if (further && word.axis < 0 && !centre) {
+  // In a contour A and C are corners, U and W steps.
+  const bool corner = (c == 'a' || c == 'c' || c == 'u' || c == 'w') && inContour();
+  if (further && word.axis < 0 && !centre && !corner) {
     return fault(
         "bad-character",
         fmt::format("Bad character '{}' used: the machine of the job has no axis {}", c, word.address), pos,
@@ -144,6 +166,7 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
   const std::string_view written = std::string_view(line_.text).substr(begin + 1, pos - begin - 1);
   word.from_expression = written.find_first_not_of("+-.0123456789") != std::string_view::npos;
   word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
+  if (c == 't' && isPlainGrbl(c_)) word.value = std::trunc(word.value);
   word.minus = word.value < 0.0;
   word.columns = line_.columnsOf(begin, pos);
   if (!(std::abs(word.value) <= kMaxValue))

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/nc/iso/context/words.h"
+#include "core/nc/linuxcnc/model/channel.h"
 
 namespace proveout::nc {
 namespace {
@@ -20,6 +21,12 @@ double lcnPosition(const IsoContext& c, const AxisPoint& at, std::size_t k) {
   const int axis = lcnAxis(c, k);
   if (axis < 0) return 0.0;
   return c.axes.at(axis).rotary() ? at[axis] : at[axis] / c.state.unitScale();
+}
+
+/// Where the program stands, in the sub of a contour too.
+const AxisPoint& lcnPlace(const IsoContext& c) {
+  const auto& contour = linuxCncChannel(c).contour_at;
+  return contour ? *contour : c.position;
 }
 
 double active(const IsoContext& c, IsoGroup group) {
@@ -109,7 +116,7 @@ std::optional<double> lcnSystemValue(const IsoContext& c, int number) {
   if (number == 5220) return lcnFrameNumber(c);
   if (number == 5400) return static_cast<double>(c.state.tool);
   if (number >= 5420 && number <= 5428)
-    return lcnPosition(c, c.position, static_cast<std::size_t>(number - 5420));
+    return lcnPosition(c, lcnPlace(c), static_cast<std::size_t>(number - 5420));
   return {};
 }
 
@@ -125,7 +132,7 @@ std::optional<double> lcnPredefined(const IsoContext& c, const LcnRunState& run,
   const std::string_view letter = name.substr(absolute ? 5 : 1);
   const std::size_t k = letter.size() == 1 ? kLcnAxisLetters.find(letter[0]) : std::string_view::npos;
   if (k == std::string_view::npos) return {};
-  return lcnPosition(c, absolute ? c.machine : c.position, k);
+  return lcnPosition(c, absolute ? c.machine : lcnPlace(c), k);
 }
 
 }  // namespace proveout::nc

@@ -28,11 +28,93 @@ TEST(LinuxCncFlavours, RunsProgramsOfGrbl) {
 TEST(LinuxCncFlavours, RefusesWhatGrblHasNot) {
   for (const char* line : {"G81 X1 Z-1 R2 F9", "G41 D1", "G43 H1", "G90.1", "G64 P.1", "G5 I1 J1 P1 Q1 X3"})
     EXPECT_EQ(runFlavour(kGrblFlavour, line).error(), "linuxcnc-error-20") << line;
-  EXPECT_EQ(runFlavour(kGrblFlavour, "G0 G1 X1").error(), "linuxcnc-error-21");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "G0 G1 X1").error(), "linuxcnc-error-24");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G1 X1").error(), "linuxcnc-error-22");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G4").error(), "linuxcnc-error-28");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G0 X1 R3").error(), "linuxcnc-error-36");
   EXPECT_EQ(runFlavour(kGrblFlavour, "G0 X1 X2").error(), "linuxcnc-error-25");
+}
+
+// lcn-6-grbl: what the parser of GRBL 1.1h itself says of these lines, behind G21 G90 F100 G1 at 0.
+TEST(LinuxCncFlavours, TellsErrorsOfGrblByItsNumbers) {
+  const std::vector<std::pair<std::string, int>> lines{
+      {"G2 I5", 26},
+      {"G2 Z1 I5", 32},
+      {"G2 X2 K3", 35},
+      {"G2 X2 Y0 I5 K3", 33},
+      {"G2 X10 R4", 34},
+      {"G2 X10 R5 P1", 36},
+      {"X#1", 2},
+      {"#1=3", 1},
+      {"X[1+2]", 2},
+      {"O100 SUB", 20},
+      {"O1", 20},
+      {"G59.1", 23},
+      {"G43.1 X1", 37},
+      {"G43.1 Z1", 0},
+      {"G43 H1", 20},
+      {"M13", 20},
+      {"T300", 38},
+      {"F-1", 4},
+      {"N5 X1", 0},
+      {"X1 N-3", 4},
+      {"G0.5", 23},
+      {"M3.5", 23},
+      {"G28.2", 20},
+      {"G90.1", 20},
+      {"G61.1", 20},
+      {"G61", 0},
+      {"G80 X3", 31},
+      {"G10 L2 P1", 26},
+      {"G10 X1", 28},
+      {"G10 L2 P7 X1", 29},
+      {"G10 L2 P1 R4 X1", 20},
+      {"G10 L20 X4", 0},
+      {"G92", 26},
+      {"G28 G0 X1", 24},
+      {"G0 G49 X1", 24},
+      {"G4", 28},
+      {"G53 G2 X3 I1", 30},
+      {"G91 G53 G0 X-4", 0},
+      {"G93 G1 X5", 22},
+      {"X5 P2", 36},
+      {"D1", 20},
+      {"Q1 X3", 20},
+      {"G81 X1 Z-1 R1", 20},
+      {"G64", 20},
+      {"G5 X1", 20},
+      {"M98 P1", 20},
+      {"M19", 20},
+      {"X1 X2", 25},
+      {"G17 G18", 21},
+      {"M3 M4", 21},
+      {"A4", 20},
+      {"X", 2},
+      {"G0 X1 (note) Y2 ; end", 0},
+      {"/G0 X3", 0},
+      {"T0.5 X2", 0},
+      {"G1 Y2 N7", 0},
+      {"F0 G1 X1", 22},
+      {"X1234567890123456789012345678901234567890123456789012345678901234567890123456789012345678", 11}};
+  for (const auto& [line, number] : lines) {
+    const IsoRun run = runFlavour(kGrblFlavour, "G21 G90 F100\nG0 X0\nG1\n" + line);
+    EXPECT_EQ(run.error(), number == 0 ? "" : "linuxcnc-error-" + std::to_string(number)) << line;
+  }
+  // In words.
+  const IsoRun run = runFlavour(kGrblFlavour, "#1=3");
+  EXPECT_TRUE(run.message().starts_with("error:1 ")) << run.message();
+  // Smoothie reads as GRBL does, grblHAL takes what LinuxCNC does.
+  EXPECT_EQ(runFlavour(kSmoothieFlavour, "X[1+2]").error(), "linuxcnc-error-2");
+  EXPECT_EQ(runFlavour(kGrblHalFlavour, "X[1+2]").motions(), (Lines{"R 3 0 0"}));
+}
+
+// lcn-6-grbl: G49 takes axis words and leaves them, / skips nothing, K across an arc is nothing.
+TEST(LinuxCncFlavours, GoesWhereGrblGoes) {
+  const IsoRun run = runFlavour(
+      kGrblFlavour, "F100\nG49 X7\n/X3\nG2 X5 Y0 I1 K4\nG91 G53 G0 X-4\nG53 G90\nG28.1 G0 X8\nG28");
+  EXPECT_EQ(run.error(), "") << run.message();
+  EXPECT_EQ(run.motions(), (Lines{"R 3 0 0", "A 5 0 0 c 4 0 0 -180", "R -4 0 0", "R 8 0 0", "R -4 0 0"}));
+  EXPECT_TRUE(run.tells("linuxcnc-unused-word"));
 }
 
 // lcn-6-grblarc: other tolerances, and a full circle names an end.

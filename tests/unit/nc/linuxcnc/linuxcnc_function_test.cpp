@@ -49,6 +49,21 @@ TEST(LinuxCncFunction, Spindle) {
   EXPECT_TRUE(messageOf("G0 X1 $0").starts_with("$ (spindle selection) word with no M3"));
 }
 
+// lcn-5-M3 lcn-4-G28.1: S beside P and G92 is a speed alone; G28.1 stands beside a motion.
+TEST(LinuxCncFunction, WordsBesideOthers) {
+  const IsoRun run =
+      lcn("G21 F100\nS500 G64 P0.1\n(debug,#<_rpm>)\nG2 X0 Y0 I3 P2 S200\n(debug,#<_rpm>)\nG0 X3 S700 "
+          "G92\nG4 P1 S3\n"
+          "(debug,#<_rpm>)\nG28.1 G0 X5\nG28\nM2\n");
+  EXPECT_EQ(run.error(), "linuxcnc-axis-words");
+  const IsoRun good =
+      lcn("G21 F100\nS500 G64 P0.1\n(debug,#<_rpm>)\nG2 X0 Y0 I3 P2 S200\n(debug,#<_rpm>)\nG92 X0 S700\n"
+          "(debug,#<_rpm>)\nG28.1 G0 X5\nG28\nM2\n");
+  EXPECT_EQ(good.error(), "") << good.message();
+  EXPECT_EQ(told(good), (Lines{"500.000000", "200.000000", "700.000000"}));
+  EXPECT_EQ(good.motions().back(), "R 0 0 0");
+}
+
 // lcn-5-M6 lcn-5-M61
 TEST(LinuxCncFunction, Tools) {
   const ControlSettings tools = withTexts({{"tool_table", kTools}});
