@@ -29,6 +29,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/lathe/lathe_words.cpp
   nc/fanuc/lathe/pattern.cpp
   nc/fanuc/lathe/pecking.cpp
+  nc/fanuc/lathe/plain_corners.cpp
   nc/fanuc/lathe/roughing.cpp
   nc/fanuc/lathe/roughing_passes.cpp
   nc/fanuc/lathe/run_out.cpp
@@ -45,6 +46,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/motion/curves.cpp
   nc/fanuc/motion/dwell.cpp
   nc/fanuc/motion/reference.cpp
+  nc/fanuc/motion/thread_blocks.cpp
   nc/fanuc/motion/virtual_planes.cpp
   nc/fanuc/parameters/fanuc_parameters.cpp
   nc/fanuc/parameters/lathe_rows.cpp

@@ -15,6 +15,15 @@ constexpr double kOnCircle = 0.01;
 
 Vec2 planeEnd(const PathItem& item) { return {item.to[item.plane.u], item.to[item.plane.v]}; }
 
+/// Whether `next` goes at a right angle to `block`, to the side that this one's join asks for.
+bool turnsAsAsked(const PathItem& block, const PathItem& next) {
+  constexpr double kStraightMm = 1e-6;
+  if (next.kind != Kind::kLine) return false;
+  const Vec2 first = planeEnd(block) - block.start, way = planeEnd(next) - planeEnd(block);
+  const int along = std::abs(first.x()) > kStraightMm ? 0 : 1;
+  return std::abs(way[along]) <= kStraightMm && way[1 - along] * block.join_turn > 0.0;
+}
+
 void setPlaneEnd(PathItem& item, const Vec2& p) {
   item.to[item.plane.u] = p.x();
   item.to[item.plane.v] = p.y();
@@ -110,7 +119,7 @@ bool CrossingStage::release() {
   PathItem item = std::move(held_);
   if (item.meet == Meet::kOpen) {
     return report_.contourError(
-        SharedAlarm::kContour,
+        SharedAlarm::kOpenLine,
         "a line given by ,A alone needs a block behind it whose line or circle meets it", {}, item);
   }
   if (crosses(item) && item.kind == Kind::kArc) {
@@ -195,6 +204,10 @@ bool CornerStage::join(PathItem& item) {
   }
   if (!held_.level || !item.level || held_.plane.u != item.plane.u || held_.plane.v != item.plane.v) {
     return refuse(SharedAlarm::kCorner, "both blocks have to lie in the selected plane");
+  }
+  if (held_.join_turn != 0 && !turnsAsAsked(held_, item)) {
+    return refuse(SharedAlarm::kCorner,
+                  "by I, K, C or R the next block goes along the other axis, to the side of the sign");
   }
   item.start = planeEnd(held_);
   CornerJoin join;

@@ -70,6 +70,9 @@ struct PathMotion {
   double angle = 0.0;      ///< rad: of a line with `meet`
   double radius = 0.0;     ///< of an arc with `meet`; its sweep then only has the sign
   double join_size = 0.0;  ///< chamfer or radius, as programmed
+  /// Of a block along one axis with a join: the next one has to go along the other axis, that way. 0: as it
+  /// likes.
+  std::int8_t join_turn = 0;
   WorkPlane plane;
   AxisPoint to;              ///< end; of functions the programmed position where they run
   Vec3 center;               ///< kArc: (u, v, w of the start) of the plane; in machine space x, y, z

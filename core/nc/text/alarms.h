@@ -33,6 +33,7 @@ enum class SharedAlarm : std::uint8_t {
   kBits,              ///< operand of a bit operation
   kParameterMissing,  ///< subject: which of a parameter function
   kContour,           ///< subject: the whole sentence
+  kOpenLine,          ///< a line by its direction alone without an end; subject: the whole sentence
   kCircleRadius,      ///< the end is not on the circle
   kCorner,            ///< chamfer or rounding where none may stand
   kCornerTooLarge,    ///< chamfer or rounding that does not fit
@@ -62,13 +63,16 @@ enum class SharedAlarm : std::uint8_t {
   kCompBuffer,      ///< more blocks wait than the control can hold
   kNoBottom,        ///< a cycle without its bottom or R point
   kProbeState,      ///< subject: the code that measuring does not go with
+  kProbeInComp,     ///< the same of cutter compensation
   kProbeLimits,     ///< the probe answers outside of the expected way
   kIncremental,     ///< subject: an axis whose word cannot be incremental here
   kPlane,           ///< a plane that cannot be chosen here
+  kSurfaceAxis,     ///< subject: the word that names no axis of constant surface speed
   kWhileWithoutDo,  ///< WHILE without DO
   kBlockNotFound,   ///< subject: the block
   kFileNotFound,
   kProgramNotFound,  ///< the file of a call
+  kProgramTwice,     ///< two programs of a file have the number that is called
   kProgramExists,    ///< subject: the file
   kFileExists,
   kChamferAndRounding,  ///< both in one block
@@ -83,6 +87,7 @@ enum class SharedAlarm : std::uint8_t {
   kLoopPair,            ///< subject: DO1 or END1 that is missing
   kJumpTarget,          ///< subject: the block that GOTO names
   kNesting,             ///< subject: the whole sentence; calls are nested too deep
+  kModalNesting,        ///< the same of modal macros
   // Ends and ways beyond limits; subject: the axis.
   kEndAbove,
   kEndBelow,
@@ -142,6 +147,8 @@ class AlarmTable {
   std::string code(const DiagnosticName& name) const;
   /// The code of an alarm by its number, of three digits at least: "nct-4001".
   std::string code(int number) const;
+  /// Names of the simulator's own with the control's numbers for them.
+  const std::vector<std::pair<std::string_view, int>>& names() const { return names_; }
   int number(SharedAlarm alarm) const { return rows_[static_cast<std::size_t>(alarm)].number; }
   /// "text of the manual: detail".
   std::string message(SharedAlarm alarm, std::string_view subject, std::string_view detail = {}) const;

@@ -15,6 +15,8 @@ namespace {
 constexpr int kFanucTapLeft = 740, kFanucTap = 840, kFanucDeep = 830;
 /// Setting 22 of Haas where the job does not say more: 0.1 inch.
 constexpr double kHaasClearanceMm = 2.54;
+/// The spindle's position: 4096 pulses a turn, at most 32767 in the 8 ms of a period.
+constexpr double kFastestTapRpm = 59999.0;
 /// Steps of Z that a G84 J of Haas may be faster on its way out.
 constexpr double kHaasFastestOut = 9.0;
 
@@ -83,22 +85,33 @@ bool checkFanucCycle(IsoContext& c, const BlockPlan& plan, DrillCode code) {
   if (!isRigidCode(code)) return true;
   if (!(plan.next.spindle_rpm > 0.0))
     return c.fail("200", "illegal S code command: rigid tapping needs a speed of the spindle (S)");
+  if (plan.next.spindle_rpm > kFastestTapRpm) {
+    return c.fail(
+        "202", fmt::format("position LSI overflow: rigid tapping turns at most {:g} 1/min", kFastestTapRpm));
+  }
   if (!(plan.next.feed > 0.0))
     return c.fail("201", "feedrate not found in rigid tapping: program F with the cycle");
   return true;
 }
 
 /// Q of fine and back boring, in the direction that the machine's maker has chosen, unless I and J say more.
-void takeShift(IsoContext& c, const BlockPlan& plan, DrillCycle& cycle) {
-  if (cycle.shift != Vec2::Zero()) return;
+bool takeShift(IsoContext& c, const BlockPlan& plan, DrillCycle& cycle) {
+  if (plan.next.compOn() && (cycle.shift != Vec2::Zero() || plan.next.cycle.peck != 0.0)) {
+    return c.fail("cycle-in-comp",
+                  fmt::format("the shift of {} in the hole cannot run in cutter compensation: "
+                              "program G40 first",
+                              gName(plan.next.active[kGroupCycle])));
+  }
+  if (cycle.shift != Vec2::Zero()) return true;
   const double q = std::abs(plan.next.cycle.peck);
-  if (q == 0.0) return;
+  if (q == 0.0) return true;
   constexpr std::array<std::array<double, 2>, 4> kDirections{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   const auto chosen = static_cast<std::size_t>(c.parameters[FanucParam::kBoreShift]);
   const auto& direction = kDirections[chosen < kDirections.size() ? chosen : 0];
   cycle.shift = {q * direction[0], q * direction[1]};
   noteSetting(c, FanucParam::kBoreShift,
               "Q of G76 and G87 shifts along the first axis of the plane, +X in G17");
+  return true;
 }
 
 void takePecks(IsoContext& c, const BlockPlan& plan, DrillCycle& cycle) {
@@ -153,8 +166,7 @@ bool finishFanucCycle(IsoContext& c, const BlockPlan& plan, DrillCycle& cycle) {
   switch (cycle.code) {
     case DrillCode::kFineBore:
     case DrillCode::kBackBore:
-      takeShift(c, plan, cycle);
-      return true;
+      return takeShift(c, plan, cycle);
     case DrillCode::kChipBreak:
     case DrillCode::kPeck:
       takePecks(c, plan, cycle);
@@ -232,6 +244,9 @@ bool planRigidTapMode(IsoContext& c, BlockPlan& plan) {
 
 bool followRigidTap(IsoContext& c, BlockPlan& plan) {
   RigidTap& rigid = plan.next.rigid_tap;
+  const bool waits = rigid == RigidTap::kAsked || (plan.next.inCycle() && tapsThread(plan));
+  if (rigid != RigidTap::kOff && waits && !(plan.next.workPlane() == c.state.workPlane()))
+    return c.fail("206", "the plane cannot change in rigid tapping: choose it in front of M29");
   if (rigid == RigidTap::kOff || (plan.next.inCycle() && tapsThread(plan))) return true;
   if (rigid == RigidTap::kOn) {  // the cycle has ended
     rigid = RigidTap::kOff;

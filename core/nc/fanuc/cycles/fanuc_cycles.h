@@ -13,7 +13,7 @@ bool planFanucCycle(IsoContext& c, BlockPlan& plan);
 /// M29: the next tapping cycle is rigid. Alarm 200 without S.
 bool planRigidTapMode(IsoContext& c, BlockPlan& plan);
 /// Rigid tapping begins with the cycle behind M29 and ends with the cycle. Alarm 203: something moves in
-/// between.
+/// between; 206: the plane changes.
 bool followRigidTap(IsoContext& c, BlockPlan& plan);
 
 /// Does the job choose the flavour of Haas?

@@ -5,6 +5,8 @@
 
 namespace proveout::nc {
 
+/// G01, with chamfers and corners by I, K, C, R. Alarms 053, 054.
+bool planLatheLine(IsoContext& c, BlockPlan& plan);
 /// G90, G94 of system A.
 bool planSingleCycle(IsoContext& c, BlockPlan& plan);
 /// G92 of system A.

@@ -9,6 +9,7 @@
 #include "core/nc/fanuc/lathe/lathe_plans.h"
 #include "core/nc/fanuc/lathe/lathe_words.h"
 #include "core/nc/fanuc/lathe/run_out.h"
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/motion/feed.h"
 
@@ -98,6 +99,7 @@ bool planSingleCycle(IsoContext& c, BlockPlan& plan) {
 }
 
 bool planThreadingCycle(IsoContext& c, BlockPlan& plan) {
+  if (!refuseCorners(c)) return false;
   SingleCycleWords words;
   if (!takeSingleWords(c, plan, words)) return false;
   if (!cuts(c, plan)) return true;

@@ -9,6 +9,7 @@
 #include "core/nc/fanuc/lathe/lathe_moves.h"
 #include "core/nc/fanuc/lathe/lathe_plans.h"
 #include "core/nc/fanuc/lathe/lathe_words.h"
+#include "core/nc/fanuc/motion/motion_plans.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/perform/perform.h"
@@ -59,6 +60,7 @@ bool cutThreadBlock(IsoContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planLatheThread(IsoContext& c, BlockPlan& plan) {
+  if (!refuseCorners(c)) return false;
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   if (!c.anyAxisWord() && !plan.motion.named.any()) return true;
   if (!takeLead(c, plan)) return false;

@@ -13,6 +13,12 @@ bool planFanucDwell(IsoContext& c, BlockPlan& plan);
 /// G02, G03 with R or I J K; with Q or L a spiral or cone.
 bool planFanucArc(IsoContext& c, BlockPlan& plan);
 
+// thread_blocks.cpp
+/// G33 of mills.
+bool planFanucThread(IsoContext& c, BlockPlan& plan);
+/// Threads have no chamfers and corners. Alarm 050.
+bool refuseCorners(IsoContext& c);
+
 // curves.cpp
 /// G02.2, G03.2: involute of the base circle R about I, J.
 bool planInvolute(IsoContext& c, BlockPlan& plan);

@@ -49,6 +49,9 @@ void keepPlane(IsoContext& c) {
 bool planFanucPolarOn(IsoContext& c, BlockPlan& plan) {
   AxisModal& modal = plan.next.axes;
   const int rotary = polarAxis(c);
+  if (c.block.words.size() != 1)
+    return c.fail("145",
+                  "illegal conditions in polar coordinate interpolation: G12.1 stands alone in its block");
   if (modal.mode == VirtualMode::kOff && !planeHasRotary(c, modal) && rotary >= 0)
     choosePlane(modal, 0, rotary);
   if (!planPolarOn(c, plan)) return false;
@@ -65,6 +68,9 @@ bool planFanucPolarOff(IsoContext& c, BlockPlan& plan) {
 
 bool planFanucCylinder(IsoContext& c, BlockPlan& plan) {
   AxisModal& modal = plan.next.axes;
+  if (c.block.words.size() != 2 || !c.anyAxisWord())
+    return c.fail(
+        "175", "illegal G07.1 axis: a rotary axis with the radius of the cylinder stands beside it, alone");
   const bool was_on = modal.mode == VirtualMode::kCylinder;
   const auto word = std::find_if(c.block.words.begin(), c.block.words.end(), [&](const Word& w) {
     return w.axis >= kMainAxes && c.axes.at(w.axis).rotary();

@@ -23,7 +23,7 @@ constexpr GCode turning(int number10) {
                                     false, "fan-16-G90", "turning cycle"));
 }
 constexpr GCode threading(int number10) {
-  return writtenAs(number10, action(lathe_code::kThreading, kGroupMotion, kSim, kSingleWords,
+  return writtenAs(number10, action(lathe_code::kThreading, kGroupMotion, kSim, "XYZUVWRIKQcr",
                                     planThreadingCycle, false, "fan-16-G92", "threading cycle"));
 }
 constexpr GCode facing(int number10) {
@@ -31,7 +31,7 @@ constexpr GCode facing(int number10) {
                                     false, "fan-16-G94", "facing cycle"));
 }
 constexpr GCode thread(int number10) {
-  return writtenAs(number10, action(gcode::kThread, kGroupMotion, kSim, "XYZUVWQ", planLatheThread, false,
+  return writtenAs(number10, action(gcode::kThread, kGroupMotion, kSim, "XYZUVWQcr", planLatheThread, false,
                                     "fan-16-G32", "thread"));
 }
 
@@ -85,9 +85,11 @@ constexpr GCode drilling(int code10, int number10, std::string_view ids, std::st
 }
 
 constexpr auto kLatheTableG = std::to_array<GCode>({
+    action(10, kGroupMotion, kSim, "XYZUVWRIKCacr", planLatheLine, false,
+           "fan-3-G01 fan-3-chamfer fan-3-corner", "linear interpolation, with chamfers and corners"),
     action(100, kOneShot, kSim, "LPXYZUVWIJKRCQ", planLatheData, false, "fan-6-G10lathe", "data input"),
-    writtenAs(340, action(lathe_code::kVaryingThread, kGroupMotion, kSim, "XYZUVWQK", planLatheThread, false,
-                          "fan-16-G34", "thread of varying lead")),
+    writtenAs(340, action(lathe_code::kVaryingThread, kGroupMotion, kSim, "XYZUVWQKcr", planLatheThread,
+                          false, "fan-16-G34", "thread of varying lead")),
     refused(360, kOneShot, kReject, "fan-16-G36", "tool measuring along X", false, "XZUWP"),
     refused(370, kOneShot, kReject, "fan-16-G37", "tool measuring along Z", false, "XZUWP"),
     refused(680, kGroupRotation, kReject, "fan-9-doubleturret", "mirror image of double turrets"),
@@ -115,8 +117,9 @@ constexpr auto kLatheTableA = std::to_array<GCode>({
     writtenAs(980, modal(gcode::kFeedPerMinute, kGroupFeedMode, kTime, "fan-15-G98", "feed per minute")),
     writtenAs(990, modal(gcode::kFeedPerTurn, kGroupFeedMode, kTime, "fan-15-G98", "feed per turn")),
 });
-/// Codes of mills whose numbers mean nothing in system A, or are scaling.
-constexpr auto kNotInA = std::to_array<std::int32_t>({330, 500, 510, 910, 921, 950});
+/// Codes of mills whose numbers mean nothing in system A, or are scaling; offsets are those of T.
+constexpr auto kNotInA = std::to_array<std::int32_t>({330, 500, 510, 910, 921, 950,  //
+                                                      430, 440, 450, 460, 470, 480, 490});
 
 constexpr auto kLatheTableB = std::to_array<GCode>({
     turning(770),
@@ -129,7 +132,7 @@ constexpr auto kLatheTableBC = std::to_array<GCode>({
     modal(980, kGroupReturn, kSim, "fan-15-systems", "cycles return to the start level"),
     modal(990, kGroupReturn, kSim, "fan-15-systems", "cycles return to level R"),
 });
-constexpr auto kNotInBAndC = std::to_array<std::int32_t>({500, 510});
+constexpr auto kNotInBAndC = std::to_array<std::int32_t>({500, 510, 430, 440, 450, 460, 470, 480, 490});
 
 constexpr auto kLatheTableC = std::to_array<GCode>({
     turning(200),
@@ -148,9 +151,16 @@ constexpr auto kLatheTableM = std::to_array<MCode>({
     {24, MPhase::kBefore, 0, kState, {}, "haas-18-latheG76", "threads end sharp"},
 });
 
+constexpr auto kLatheFeatures = std::to_array<FeatureRow>({
+    {"live tools", kState, "fan-15-live",
+     "M codes of [control.fanuc.live]: speed, S and feeds of a tool that turns"},
+    {"T at G28 G53", kSim, "fan-5-latheoffset", "tool offset off in the block of a machine move only"},
+    {"I K C R", kSim, "fan-3-chamfer fan-3-corner", "chamfers and corners of G01 without a comma"},
+});
+
 }  // namespace
 
-CodeTable fanucLatheTable() { return {kLatheTableG, kLatheTableM, {}}; }
+CodeTable fanucLatheTable() { return {kLatheTableG, kLatheTableM, kLatheFeatures}; }
 CodeTable haasLatheTable() { return {kHaasLatheTableG, {}, {}}; }
 std::vector<CodeTable> fanucLatheSystemTables(GCodeSystem system) {
   switch (system) {

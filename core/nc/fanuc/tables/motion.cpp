@@ -57,7 +57,8 @@ constexpr auto kFanucMotionTableG = std::to_array<GCode>({
            "from the reference point by way of the intermediate point"),
     action(300, kOneShot, kSim, "XYZUVWP", planFanucReference, true, "fan-5-G30",
            "to reference point 2 to 4 by way of an intermediate point"),
-    action(330, kGroupMotion, kSim, "XYZUVWQ", planThread, false, "fan-3-G33", "thread of constant lead"),
+    action(330, kGroupMotion, kSim, "XYZUVWQcr", planFanucThread, false, "fan-3-G33",
+           "thread of constant lead"),
     action(600, kOneShot, kSim, kAxes, planOneDirection, false, "fan-3-G60", "single direction positioning"),
     modal(610, kGroupCutting, kTime, "fan-3-G61", "exact stop mode"),
     modal(620, kGroupCutting, kTime, "fan-3-G62", "feed reduction at inside corners"),
@@ -68,7 +69,7 @@ constexpr auto kFanucMotionTableG = std::to_array<GCode>({
     modal(930, kGroupFeedMode, kTime, "fan-4-G93", "inverse time feed"),
     modal(940, kGroupFeedMode, kTime, "fan-4-G94", "feed per minute"),
     modal(950, kGroupFeedMode, kTime, "fan-4-G95", "feed per turn"),
-    modal(960, kGroupSurfaceSpeed, kTime, "fan-4-G96", "constant surface speed"),
+    modal(960, kGroupSurfaceSpeed, kTime, "fan-4-G96", "constant surface speed", "P"),
     modal(970, kGroupSurfaceSpeed, kTime, "fan-4-G97", "constant surface speed off"),
 });
 

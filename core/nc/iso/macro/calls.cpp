@@ -82,7 +82,7 @@ Go IsoControl::callMacro(const MacroCall& call) {
   if (!good) return alarm();
   if (frame.kind == CallKind::kMacro || frame.kind == CallKind::kSystem) return open(frame);
   if (!c.modals.activate(frame)) {
-    c.fail(SharedAlarm::kNesting, fmt::format("more than {} modal macros are active", kMaxNesting));
+    c.fail(SharedAlarm::kModalNesting, fmt::format("more than {} modal macros are active", kMaxNesting));
     return alarm();
   }
   c.state.active[kGroupMacro] =

@@ -31,6 +31,9 @@ bool mayCall(const IsoContext& c, std::int32_t code) {
 bool takeProgram(IsoContext& c, const ProgramStore::Loaded& loaded, CallFrame& frame) {
   if (loaded.failure == ProgramStore::Failure::kEncoding) return c.fail("encoding", loaded.message);
   if (loaded.text == nullptr) return c.alarm(SharedAlarm::kProgramNotFound, "", loaded.message);
+  if (loaded.again > 0)
+    return c.alarm(SharedAlarm::kProgramTwice, "",
+                   fmt::format("another program of that number begins on line {} of its file", loaded.again));
   frame.setProgram(*loaded.text, loaded.file);
   return true;
 }

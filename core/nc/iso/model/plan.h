@@ -55,6 +55,7 @@ struct PlannedMotion {
   PathMotion::Join join = PathMotion::Join::kSharp;
   PathMotion::Meet meet = PathMotion::Meet::kNo;
   double join_size = 0.0;            ///< mm
+  int join_turn = 0;                 ///< see PathMotion
   double angle = 0.0, radius = 0.0;  ///< of over-determined blocks, see PathMotion
   std::optional<Vec3> tool_vector;   ///< I, J, K of G43.5, as programmed, any length
   bool about_tip = false;            ///< the tip is held on its way while rotary axes turn (G53.6)
@@ -94,8 +95,10 @@ struct BlockPlan {
   bool frames_changed = false;
   bool transforms_changed = false;  ///< mirroring, scaling, rotation
   bool flush = false;
-  const CoordinateChain* chain = nullptr;            ///< in force for the block's motion
-  std::optional<CoordinateChain> new_chain;          ///< where one of these changed: what `chain` points to
+  const CoordinateChain* chain = nullptr;    ///< in force for the block's motion
+  std::optional<CoordinateChain> new_chain;  ///< where one of these changed: what `chain` points to
+  /// Of the way by which the length changes: what only moves the coordinates. The rest is held.
+  AxisPoint length_shift;
   AxisPoint start;                                   ///< programmed position at the block's start, in `chain`
   const GCode* governor = nullptr;                   ///< the code that owns the axis words
   std::array<const GCode*, kGroupCount> by_group{};  ///< G codes of this block

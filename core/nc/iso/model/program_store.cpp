@@ -121,6 +121,7 @@ ProgramStore::Loaded ProgramStore::load(const Result<ProgramText>& text) {
     files_[text->path] = {std::move(whole), std::move(heads)};
   } else {
     loaded = keep(std::move(whole));
+    if (!heads.empty()) files_[text->path] = {nullptr, std::move(heads)};
   }
   by_path_[text->path] = loaded.file;
   return loaded;
@@ -134,18 +135,33 @@ ProgramStore::Loaded ProgramStore::keep(std::unique_ptr<SourceText> text) {
   return known(file);
 }
 
+namespace {
+
+/// `name` empty: by its number.
+bool named(const ProgramHead& head, std::int64_t number, std::string_view name) {
+  return name.empty() ? head.number == number : head.name == name;
+}
+
+}  // namespace
+
 /// The program of that number in a file with several; without a text where it has none.
 ProgramStore::Loaded ProgramStore::inFile(const std::string& path, std::int64_t number,
                                           std::string_view name) {
   const auto file = files_.find(path);
   if (file == files_.end()) return {};
   const std::vector<ProgramHead>& heads = file->second.heads;
-  const SourceText& whole = *file->second.text;
+  const SourceText* const whole = file->second.text.get();
   for (std::size_t k = 0; k < heads.size(); ++k) {
-    if (name.empty() ? heads[k].number != number : heads[k].name != name) continue;
-    if (k == 0) return known(by_path_.at(path));
-    const std::size_t end = k + 1 < heads.size() ? heads[k + 1].line : whole.lines().size();
-    return keep(std::make_unique<SourceText>(whole, heads[k].line, end));
+    if (!named(heads[k], number, name)) continue;
+    const auto again = std::find_if(heads.begin() + static_cast<std::ptrdiff_t>(k) + 1, heads.end(),
+                                    [&](const ProgramHead& head) { return named(head, number, name); });
+    const auto part = [&] {
+      const std::size_t end = k + 1 < heads.size() ? heads[k + 1].line : whole->lines().size();
+      return std::make_unique<SourceText>(*whole, heads[k].line, end);
+    };
+    Loaded loaded = k == 0 ? known(by_path_.at(path)) : keep(part());
+    loaded.again = again == heads.end() ? 0 : again->line + 1;
+    return loaded;
   }
   return {};
 }

@@ -35,7 +35,8 @@ class ProgramStore {
     SourceText* text = nullptr;
     std::uint32_t file = 0;
     Failure failure = Failure::kNone;
-    std::string message;  ///< why there is no text
+    std::string message;    ///< why there is no text
+    std::size_t again = 0;  ///< line of its file, from 1, where another program of the number begins; 0: none
   };
   Loaded main();
   /// Program `number` (M98 P, G65 P, system calls: "O0011", "O00000011") as seen from file `caller`. The
@@ -65,9 +66,9 @@ class ProgramStore {
   TextEncoding encoding_;
   ProgramLayout layout_;
   MotionSink& sink_;
-  /// A file with several programs.
+  /// A file whose programs have heads.
   struct File {
-    std::unique_ptr<SourceText> text;
+    std::unique_ptr<SourceText> text;  ///< of all of them; null: there is one
     std::vector<ProgramHead> heads;
   };
   std::vector<std::unique_ptr<SourceText>> texts_;

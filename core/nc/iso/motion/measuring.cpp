@@ -30,7 +30,8 @@ int codeInTheWay(const IsoContext& c, const IsoState& s, bool any_compensation) 
        {Needed{kGroupPolarData, gcode::kPolarDataOff}, Needed{kGroupScaling, gcode::kScalingOff},
         Needed{kGroupMirror, gcode::kMirrorOff}, Needed{kGroupRotation, gcode::kRotationOff},
         Needed{kGroupFeedMode, gcode::kFeedPerMinute}}) {
-    if (c.dialect.rules.probe_in_transforms && need.group != kGroupFeedMode) continue;
+    const bool turning = s.perTurn() && c.state.spindle_direction != 0;
+    if (c.dialect.rules.probe_in_transforms && (need.group != kGroupFeedMode || turning)) continue;
     if (s.active[need.group] != need.code10) return s.active[need.group];
   }
   return !any_compensation && s.compOn() ? s.active[kGroupRadiusComp] : 0;
@@ -39,7 +40,8 @@ int codeInTheWay(const IsoContext& c, const IsoState& s, bool any_compensation) 
 bool checkState(IsoContext& c, const BlockPlan& plan, bool any_compensation) {
   int code = codeInTheWay(c, plan.next, any_compensation);
   if (code == 0 && !any_compensation && c.state.compOn()) code = c.state.active[kGroupRadiusComp];
-  return code == 0 || c.alarm(SharedAlarm::kProbeState, gName(code));
+  const bool comp = code == gcode::kCompLeft || code == gcode::kCompRight;
+  return code == 0 || c.alarm(comp ? SharedAlarm::kProbeInComp : SharedAlarm::kProbeState, gName(code));
 }
 
 /// The second of several named axes by their numbers (2035); without one, what there is alone.

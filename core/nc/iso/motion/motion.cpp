@@ -64,29 +64,28 @@ namespace {
 
 struct ArcFailure {
   SharedAlarm code;
-  const char* message;
+  const char *subject, *detail;
 };
 
 ArcFailure describe(ArcError error) {
   switch (error) {
     case ArcError::kNoDefinition:
-      return {SharedAlarm::kCircle, "circle definition error: neither R nor I, J, K is given"};
+      return {SharedAlarm::kCircle, "", "neither R nor I, J, K is given"};
     case ArcError::kCenterOutsidePlane:
-      return {SharedAlarm::kCircleCentre,
-              "circle definition error: a centre word does not belong to the selected plane"};
+      return {SharedAlarm::kCircleCentre, "", "a centre word does not belong to the selected plane"};
     case ArcError::kRadiusWithoutEnd:
-      return {SharedAlarm::kCircle, "circle definition error: R needs an end point in the plane"};
+      return {SharedAlarm::kCircle, "", "R needs an end point in the plane"};
     case ArcError::kZeroRadius:
-      return {SharedAlarm::kCircle, "circle definition error: the radius is 0"};
+      return {SharedAlarm::kCircle, "", "the radius is 0"};
     case ArcError::kRadiusDifference:
-      return {SharedAlarm::kCircleRadius, "circle radius difference error"};
+      return {SharedAlarm::kCircleRadius, "", ""};
     case ArcError::kBadTurns:
-      return {SharedAlarm::kOutOfRange, "L data out of range: the number of turns is an integer from 1"};
+      return {SharedAlarm::kOutOfRange, "L", "the number of turns is an integer from 1"};
     case ArcError::kNotFinite:
     case ArcError::kNone:
       break;
   }
-  return {SharedAlarm::kOutOfRange, "circle data out of range"};
+  return {SharedAlarm::kOutOfRange, "circle", ""};
 }
 
 }  // namespace
@@ -136,12 +135,12 @@ bool arcRequest(IsoContext& c, const BlockPlan& plan, ArcRequest& request) {
 
 bool failArc(IsoContext& c, const ArcResolution& resolved) {
   const ArcFailure failure = describe(resolved.error);
-  std::string message = failure.message;
+  std::string detail = failure.detail;
   if (resolved.error == ArcError::kRadiusDifference) {
-    message += fmt::format(": {:.6g} mm between start and end radius, {:.6g} allowed",
-                           resolved.radius_difference, c.parameters[MotionParam::kRadiusDifference]);
+    detail = fmt::format("{:.6g} mm between start and end radius, {:.6g} allowed", resolved.radius_difference,
+                         c.parameters[MotionParam::kRadiusDifference]);
   }
-  return c.fail(failure.code, std::move(message));
+  return c.alarm(failure.code, failure.subject, detail);
 }
 
 /// G16: an angle beyond a turn makes so many turns where the pole is the centre (manual 5.4).

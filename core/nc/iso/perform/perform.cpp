@@ -39,7 +39,7 @@ bool tellIdle(IsoContext& c, const BlockPlan& plan);
 bool staysInPlane(const BlockPlan& plan) {
   if (plan.flow != nullptr && plan.flow->phase == MPhase::kCall) return false;
   if (plan.governor->code10 == gcode::kCornerArc || plan.motion.is_arc) return false;
-  if (plan.perform != performMove) return true;
+  if (plan.perform != performMove && !std::holds_alternative<Holes>(plan.payload)) return true;
   const WorkPlane plane = plan.next.workPlane();
   return plan.start[plane.u] == plan.motion.target[plane.u] &&
          plan.start[plane.v] == plan.motion.target[plane.v];
@@ -183,6 +183,7 @@ void fillContour(IsoContext& c, const BlockPlan& plan, PathItem& item) {
   if (motion.meet == PathItem::Meet::kOpen) c.pipe.link(c.stages.crossing);
   item.join = motion.join;
   item.join_size = motion.join_size;
+  item.join_turn = static_cast<std::int8_t>(motion.join_turn);
   item.meet = motion.meet;
   item.angle = motion.angle;
   item.radius = motion.radius;
@@ -192,13 +193,6 @@ void fillContour(IsoContext& c, const BlockPlan& plan, PathItem& item) {
   level[item.plane.u] = item.to[item.plane.u];
   level[item.plane.v] = item.to[item.plane.v];
   item.level = level == item.to;
-}
-
-void engageComp(IsoContext& c, const BlockPlan& plan) {
-  if (c.stages.comp.linked() || !plan.next.compOn()) return;
-  c.stages.comp.engage(c.stages.corner.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))),
-                       c.dialect.compensation);
-  c.pipe.link(c.stages.crossing);
 }
 
 /// Tells cutter compensation, in its turn, of a block without motion in the plane.
@@ -223,6 +217,13 @@ bool switchCompInPlace(IsoContext& c, BlockPlan& plan) {
 }
 
 }  // namespace
+
+void engageComp(IsoContext& c, const BlockPlan& plan) {
+  if (c.stages.comp.linked() || !plan.next.compOn()) return;
+  c.stages.comp.engage(c.stages.corner.sentUntil(planeOf(plan.next).of(c.chain.workOf(c.position))),
+                       c.dialect.compensation);
+  c.pipe.link(c.stages.crossing);
+}
 
 bool pushMotion(IsoContext& c, BlockPlan& plan, PathItem::Kind kind) {
   PathItem item;

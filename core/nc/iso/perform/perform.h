@@ -20,6 +20,8 @@ bool performFunctions(IsoContext& c, BlockPlan& plan, MPhase phase);
 bool performMove(IsoContext& c, BlockPlan& plan);
 /// The dwell of plan.payload. False: an error was reported.
 bool performDwell(IsoContext& c, BlockPlan& plan);
+/// Links cutter compensation in front of the block's first motion, where the block has it on.
+void engageComp(IsoContext& c, const BlockPlan& plan);
 /// The block as an item of that kind: a motion, or one that stays.
 bool pushMotion(IsoContext& c, BlockPlan& plan, PathItem::Kind kind);
 

@@ -12,6 +12,7 @@ namespace {
 
 /// What stands for the top speed of a spindle without ranges and without G92 S, 1/min.
 constexpr double kNoTopSpeed = 1e6;
+constexpr double kMostAxes = 32.0;  ///< numbers of axes are 1 to this
 
 SpindleBounds boundsOf(const IsoContext& c, const IsoState& state) {
   const Spindles& all = c.registers.spindles;
@@ -76,11 +77,11 @@ bool planSurfaceSpeed(IsoContext& c, BlockPlan& plan) {
   const GCode* code = plan.by_group[kGroupSurfaceSpeed];
   const Word* p = code != nullptr ? c.word('P') : nullptr;
   if (p != nullptr) {
-    std::int64_t number = 0;
-    if (!integerWord(c, *p, 1, 32, number)) return false;
-    const int axis = c.axes.byNumber(static_cast<int>(number));
+    const double number = p->from_expression ? std::round(p->value) : p->value;
+    const bool whole = (p->is_integer || p->from_expression) && number >= 1.0 && number <= kMostAxes;
+    const int axis = whole ? c.axes.byNumber(static_cast<int>(number)) : -1;
     if (axis < 0 || c.axes.at(axis).rotary())
-      return c.alarm(SharedAlarm::kOutOfRange, *p, "the number of a linear axis");
+      return c.alarm(SharedAlarm::kSurfaceAxis, *p, "the number of a linear axis");
     next.surface_axis = axis;
   }
   const GCode* one_shot = plan.by_group[kOneShot];
