@@ -65,6 +65,10 @@ struct SpindleSettings {
   int main_code = 0;                  ///< makes it the main spindle
   int sync_code = 0, shift_code = 0;  ///< the spindle named last follows the main one, in phase or shifted
   int axis_code = 0;                  ///< makes it its axis
+  int speed_code = 0;                 ///< ends that
+  /// Turn it, which makes it the main spindle, with S its own, until the last of them stops it.
+  int cw_code = 0, ccw_code = 0, stop_code = 0;
+  bool speed_by_p = false;  ///< P beside these two codes is its speed
 };
 
 /// A row of the offset tables, mm. Effective value: geometry + wear.

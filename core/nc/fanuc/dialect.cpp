@@ -42,6 +42,7 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
   rules.last_of_group = true;
   rules.keeps_return_level = true;
   rules.motion_or_cycle = true;
+  rules.cycles_in_comp = name == "fanuc-mill";
   rules.m_words = 1;
   rules.probe_in_transforms = true;
   rules.loose_arcs = true;
@@ -102,6 +103,7 @@ IsoDialect latheDialect(GCodeSystem system, bool haas) {
   d.take_words = takeLatheWords;
   d.plan = planLatheBlock;
   d.power_on = latheAtPowerOn;
+  d.begin = latheBegin;
   d.tool = planLatheTool;
   d.lines_done = endLatheLines;
   return haas ? haasOf(d) : d;

@@ -2,6 +2,7 @@
 
 #include "core/nc/fanuc/coverage/rows.h"
 #include "core/nc/fanuc/dialect.h"
+#include "core/nc/fanuc/lathe/lathe_settings.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/tables/tables.h"
 #include "core/nc/iso/model/code_coverage.h"
@@ -18,7 +19,9 @@ InterpretSummary runMill(const ProgramSource& source, const ControlSettings& set
 
 InterpretSummary runLathe(const ProgramSource& source, const ControlSettings& settings, MotionSink& sink,
                           Progress* progress, const ControlHost& host) {
-  return IsoControl(fanucLatheDialect(settings.parameters), source, settings, sink, progress, host).run();
+  return IsoControl(fanucLatheDialect(settings.parameters), source, withLiveTools(withLatheAxes(settings)),
+                    sink, progress, host)
+      .run();
 }
 
 /// Codes of Haas that stand in place of others come behind those.

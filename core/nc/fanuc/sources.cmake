@@ -27,6 +27,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/lathe/lathe_hooks.cpp
   nc/fanuc/lathe/lathe_moves.cpp
   nc/fanuc/lathe/lathe_words.cpp
+  nc/fanuc/lathe/lathe_settings.cpp
   nc/fanuc/lathe/pattern.cpp
   nc/fanuc/lathe/pecking.cpp
   nc/fanuc/lathe/plain_corners.cpp

@@ -18,7 +18,7 @@ constexpr auto kFanucLatheRowsList = std::to_array<CoverageIdRow>({
     {"fan-15-nose", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
     {"fan-15-drawing", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
     {"fan-15-G54", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},
-    {"fan-15-live", "STATE", "missing", ""},
+    {"fan-15-live", "STATE", "done", "tests/unit/nc/fanuc/fanuc_live_tools_test.cpp"},
     {"fan-16-G32", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
     {"fan-16-G34", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_cycles_test.cpp"},
     {"fan-16-G36", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_lathe_test.cpp"},

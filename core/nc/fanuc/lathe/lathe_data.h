@@ -26,6 +26,8 @@ struct LatheData final : FanucData {
   double thread_angle = 0.0;           ///< of the spindle where the last block of a thread ended, degrees
   bool run_out = true;                 ///< M23, M24: threads of the cycles end in a run-out
   std::vector<FinishStart> finishing;  ///< one a G70 that is open
+  AxisPoint geometry;                  ///< of the offset in force, X a radius, mm
+  Vec3 wear_way = Vec3::Zero();        ///< that the block in hand goes for the wear offset, program, mm
 };
 
 inline LatheData& latheData(IsoContext& c) { return static_cast<LatheData&>(*c.maker); }

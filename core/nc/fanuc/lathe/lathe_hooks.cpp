@@ -9,9 +9,11 @@
 #include "core/nc/fanuc/block/plan.h"
 #include "core/nc/fanuc/lathe/lathe_codes.h"
 #include "core/nc/fanuc/lathe/lathe_data.h"
+#include "core/nc/fanuc/lathe/lathe_settings.h"
 #include "core/nc/fanuc/lathe/lathe_words.h"
 #include "core/nc/fanuc/text/decimal.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/motion/feed.h"
 #include "core/nc/iso/perform/perform.h"
 #include "core/nc/iso/perform/unused_words.h"
 #include "core/tool/tip.h"
@@ -140,8 +142,59 @@ void latheAtPowerOn(const IsoContext& c, IsoState& state) {
 
 bool takeLatheWords(IsoContext& c) { return takeStepsOfC(c) && takeFanucWords(c); }
 
+void latheBegin(IsoContext& c) {
+  fanucBegin(c);
+  checkLiveCodes(c);
+}
+
+namespace {
+
+/// The block of T takes the wear offset of axes along that have no word in it.
+bool performWear(IsoContext& c, BlockPlan& plan) {
+  for (int axis = 0; axis < kMainAxes; ++axis) plan.motion.target[axis] += latheData(c).wear_way[axis];
+  return performMove(c, plan);
+}
+
+/// The same of a block without motion.
+bool performWearAlone(IsoContext& c, BlockPlan& plan) {
+  plan.motion.target = plan.start;
+  return performWear(c, plan);
+}
+
+/// `wear_moves`: what T changes of the wear offset moves the tool in this block, or waits for the next
+/// motion.
+bool planWear(IsoContext& c, BlockPlan& plan) {
+  HeldWay& held = plan.next.held;
+  if (!plan.tool_called || !(held.axes & held.in_steps).any()) return true;
+  noteSetting(
+      c, FanucParam::kWearMoves,
+      "the wear offset moves the tool with the axis's next motion (\"next\"), on some with the block of "
+      "T (\"t_block\", 5002#6 LWM)");
+  const bool moves = plan.perform == performMove && !plan.motion.is_arc;
+  if (!c.parameters.flag(FanucParam::kWearMoves) || (plan.perform != nullptr && !moves)) return true;
+  Vec3& way = latheData(c).wear_way;
+  way = Vec3::Zero();
+  for (int axis = 0; axis < kMainAxes; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    if (!held.axes[k] || !held.in_steps[k]) continue;
+    way[axis] = held.way[axis];
+    held.axes.reset(k);
+    held.in_steps.reset(k);
+    held.of_length.reset(k);
+  }
+  plan.perform = moves ? performWear : performWearAlone;
+  if (moves) return true;
+  plan.motion.rapid = plan.next.active[kGroupMotion] == gcode::kRapid;
+  for (int axis = 0; axis < kMainAxes; ++axis) plan.motion.target[axis] = plan.start[axis] + way[axis];
+  return plan.motion.rapid || feedStyle(c, plan, plan.motion.feed);
+}
+
+}  // namespace
+
 bool planLatheBlock(IsoContext& c, BlockPlan& plan) {
   if (!planFanuc(c, plan) || !checkSteps(c, plan)) return false;
+  tellLiveTool(c, plan);
+  if (!planWear(c, plan)) return false;
   if (!checkRadius(c, plan)) return false;
   tellNose(c, plan);
   const Word* d = c.block.find('D');
@@ -172,13 +225,20 @@ bool planLatheTool(IsoContext& c, BlockPlan& plan, const Word& t) {
   // A spindle of which no tool is known has no row.
   const int geometry = std::clamp(offset == 0 ? 0 : by_tool ? in_hand : offset, 0, OffsetTables::kRows);
   next.h = next.d = offset;
-  const auto sum = [&](OffsetColumn column) {
-    return table.value(column, geometry).geometry + table.value(column, offset).wear;
-  };
-  const bool diameter = next.axes.diameter[0];
-  next.length = AxisPoint((diameter ? 0.5 : 1.0) * sum(OffsetColumn::kX), 0.0, sum(OffsetColumn::kLength));
+  const double half = next.axes.diameter[0] ? 0.5 : 1.0;
+  const auto geometryOf = [&](OffsetColumn column) { return table.value(column, geometry).geometry; };
+  const auto wearOf = [&](OffsetColumn column) { return table.value(column, offset).wear; };
+  const AxisPoint shift(half * geometryOf(OffsetColumn::kX), geometryOf(OffsetColumn::kY),
+                        geometryOf(OffsetColumn::kLength));
+  const AxisPoint wear(half * wearOf(OffsetColumn::kX), wearOf(OffsetColumn::kY),
+                       wearOf(OffsetColumn::kLength));
+  for (int axis = 0; axis < kMainAxes; ++axis) {
+    plan.length_shift[axis] = shift[axis] - latheData(c).geometry[axis];
+    next.length[axis] = shift[axis] + wear[axis];
+  }
+  latheData(c).geometry = shift;
   next.h_value = next.length[2];
-  next.d_radius = sum(OffsetColumn::kRadius);
+  next.d_radius = geometryOf(OffsetColumn::kRadius) + wearOf(OffsetColumn::kRadius);
   next.d_tip = table.tip(geometry);
   if (offset > 0 && !table.given(OffsetColumn::kRadius, geometry)) takeNoseOfTool(c, in_hand, next);
   return true;

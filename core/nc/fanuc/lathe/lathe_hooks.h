@@ -14,6 +14,8 @@ std::unique_ptr<MakerData> makeLatheData(IsoContext& c);
 bool takeLatheWords(IsoContext& c);
 /// planFanuc(), and what lathes refuse or tell besides: D belongs to cycles, U and W to system A.
 bool planLatheBlock(IsoContext& c, BlockPlan& plan);
+/// fanucBegin(), and the codes of live tools.
+void latheBegin(IsoContext& c);
 /// X in diameter, plane ZX, feed per turn.
 void latheAtPowerOn(const IsoContext& c, IsoState& state);
 /// T ttoo: tool tt, offset oo (section 15).

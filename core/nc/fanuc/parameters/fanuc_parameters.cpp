@@ -84,6 +84,10 @@ const ParameterTable& fanucParameters() {
                                                        "way back between the pecks of rigid taps, mm"))
         .add(FanucParam::kBoreShift,
              choice("g76_shift", 5101, 0, "+X -X +Y -Y", "direction of Q of G76 and G87, as in G17"))
+        .add(FanucParam::kSetting9,
+             atPowerOn(choice("setting_9", kNoNumber, 0, "mm inch",
+                              "Haas: unit where neither the program nor power_on_units "
+                              "says it")))
         .add(FanucParam::kLocalShift, choice("setting_33", kNoNumber, 0, "fanuc yasnac",
                                              "Haas: G52 shifts every work system, or is one of its own"));
     addMacroRows(table);

@@ -16,6 +16,7 @@ enum class FanucParam : std::uint16_t {
   kRigidAlways,       ///< 5200#0: G84 and G74 are rigid without M29
   kRigidPeck,         ///< 5200#5 PCP: 0 pecks of rigid taps go back a little, 1 out to R
   kBoreShift,         ///< 5101#4,5: direction of Q of G76 and G87: +u -u +v -v of the plane
+  kSetting9,          ///< of Haas: power-on unit, 0 mm, 1 inch
   kLocalShift,        ///< Setting 33 of Haas: 0 G52 shifts every system, 1 it is a system of its own
   kSubprogramForm,    ///< 0 the last four digits of P are the number, 1 all are
   kAtanRange,         ///< 6004#0 NAT: 360 or 180
@@ -51,7 +52,13 @@ enum class FanucParam : std::uint16_t {
   kG76Finish,
   kG76Repeat,
   kG76Angle,
-  kPeckToR,          ///< 5101#2 RTR
+  kPeckToR,  ///< 5101#2 RTR
+  kLiveCw,   ///< M codes of live tools, like those that follow; 0: none
+  kLiveCcw,
+  kLiveStop,
+  kAxisOn,  ///< the main spindle is the C axis
+  kAxisOff,
+  kWearMoves,        ///< 5002#6 LWM: 0 with the next motion of the axis, 1 with the block of T
   kOffsetMemory,     ///< 0 A one table, 1 B geometry and wear, 2 C with H and D apart
   kDiameterOffsets,  ///< 5004#2 ODI: D holds 0 radii, 1 diameters
   kDefaultD,         ///< a D without a row is 0 the tool's own radius, 1 nothing

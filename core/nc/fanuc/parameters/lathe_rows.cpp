@@ -47,7 +47,19 @@ void addLatheRows(ParameterTable& table) {
       .add(FanucParam::kG76Repeat, number("g76_repeat", 5142, kChannel, 1, 0, 99, "finish passes of G76"))
       .add(FanucParam::kG76Angle, number("g76_angle", 5143, kChannel, 60, 0, 120, "angle of G76, degrees"))
       .add(FanucParam::kPeckToR, choice("lathe_peck", 5101, 0, "short full",
-                                        "G83, G87 of lathes return a little between pecks, or to level R"));
+                                        "G83, G87 of lathes return a little between pecks, or to level R"))
+      .add(FanucParam::kWearMoves,
+           choice("wear_moves", 5002, 0, "next t_block",
+                  "the wear offset of T moves the tool with the axis's next motion, or with the block of T"));
+  constexpr double kMostM = 99999999;
+  const auto live = [&](FanucParam row, std::string_view name, std::string_view meaning) {
+    table.add(row, atPowerOn(number(name, kNoNumber, kChannel, 0, 0, kMostM, meaning)));
+  };
+  live(FanucParam::kLiveCw, "live.cw", "M code that turns live tools clockwise; Haas 133");
+  live(FanucParam::kLiveCcw, "live.ccw", "M code that turns live tools counter-clockwise; Haas 134");
+  live(FanucParam::kLiveStop, "live.stop", "M code that stops live tools; Haas 135");
+  live(FanucParam::kAxisOn, "live.c_on", "M code that makes the main spindle the C axis; Haas 154");
+  live(FanucParam::kAxisOff, "live.c_off", "M code that makes the C axis the main spindle; Haas 155");
 }
 
 }  // namespace proveout::nc

@@ -262,7 +262,7 @@ bool planNumbers(IsoContext& c, BlockPlan& plan) {
   }
   const bool spindle = c.block.present.has('S') || c.block.present.has(kNamedWord) ||
                        plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed ||
-                       c.registers.spindles.has_axes;
+                       c.registers.spindles.has_axes || c.registers.spindles.has_codes;
   if (spindle && !planSpindle(c, plan)) return false;
   if (c.block.present.has('S') && c.parameters.flag(ProgramParam::kBufferS)) plan.flush = true;
   const bool left = c.state.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed &&
@@ -426,7 +426,7 @@ bool planComp(IsoContext& c, BlockPlan& plan) {
     return c.fail(SharedAlarm::kPlaneInComp,
                   "the plane cannot change while cutter compensation (G41, G42) is on");
   }
-  if (plan.next.compOn() && plan.next.inCycle()) {
+  if (plan.next.compOn() && plan.next.inCycle() && !c.dialect.rules.cycles_in_comp) {
     return c.fail("cycle-in-comp",
                   "drilling cycles cannot run while cutter compensation (G41, G42) is on: program G40 first");
   }

@@ -22,7 +22,6 @@ struct CycleRules {
   bool signed_peck = false;    ///< Q may be negative: `finish` says what it means
   bool percent_by_i = true;    ///< I of feed-out cycles and rigid taps: the feed out, percent of the feed in
   bool functions_first = false;  ///< M codes run before the way to the first hole; false: behind it
-  bool in_compensation = false;  ///< cycles run under G41 and G42, at the compensated points
   NoLevel no_level = NoLevel::kAlarm;
   /// Name of the error of a cycle without a bottom; null: the shared alarm.
   const char* no_bottom = nullptr;

@@ -448,8 +448,18 @@ bool drillHoles(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+/// Cutter compensation of a motion of the cycle. Those in the hole keep the vector that the way to it ends
+/// with.
+void compensate(const BlockPlan& plan, bool to_hole, PathItem& item) {
+  item.comp_on = plan.next.compOn();
+  item.offset = plan.next.compOffset();
+  item.tip = static_cast<std::uint8_t>(plan.next.d_tip);
+  item.in_plane = to_hole;
+}
+
 /// A motion of the cycle to `at`, work space; without a feed at rapid.
-bool cycleMove(IsoContext& c, const AxisPoint& at, const FeedStyle* feed = nullptr) {
+bool cycleMove(IsoContext& c, const BlockPlan& plan, const AxisPoint& at, const FeedStyle* feed = nullptr,
+               bool to_hole = false) {
   PathItem item;
   item.kind = PathItem::Kind::kLine;
   item.space = PathItem::Space::kWork;
@@ -459,6 +469,7 @@ bool cycleMove(IsoContext& c, const AxisPoint& at, const FeedStyle* feed = nullp
   item.rapid = feed == nullptr;
   if (feed) item.feed = *feed;
   item.source = c.here();
+  if (c.stages.comp.linked()) compensate(plan, to_hole, item);
   return c.pipe.push(item);
 }
 
@@ -466,10 +477,13 @@ bool cycleHole(IsoContext& c, BlockPlan& plan, const AxisPoint& hole, bool first
   const Holes& holes = std::get<Holes>(plan.payload);
   const int drill = plan.next.cycle.drill_axis;
   const double height = c.position[drill];
+  const WorkPlane plane = planeOf(plan.next);
+  const bool moves = hole[plane.u] != c.position[plane.u] || hole[plane.v] != c.position[plane.v];
+  if (c.dialect.rules.cycles_in_comp) engageComp(c, plan);
   c.position = hole;
   c.position[drill] = height;
   AxisPoint at = c.chain.workOf(c.position);
-  if (!cycleMove(c, at)) return false;
+  if (!cycleMove(c, plan, at, nullptr, moves)) return false;
   if (first && plan.runs_functions && !performFunctions(c, plan, MPhase::kBefore)) return false;
   if (first) checkTapStart(c, plan, tapOf(holes.code));
   for (const DrillStep& step : c.drill_steps) {
@@ -496,13 +510,13 @@ bool cycleStep(IsoContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     const WorkPlane plane = planeOf(plan.next);
     at[plane.u] += step.shift.x();
     at[plane.v] += step.shift.y();
-    return cycleMove(c, at);
+    return cycleMove(c, plan, at, nullptr, true);
   }
   const bool along = step.kind == DrillStepKind::kRapid || step.kind == DrillStepKind::kFeed;
   if (along) recordCycleLevel(c, drill, levelOf(c, plan, step.position));
   if (step.kind == DrillStepKind::kRapid) {
     at[drill] = step.position;
-    return cycleMove(c, at);
+    return cycleMove(c, plan, at);
   }
   if (step.kind == DrillStepKind::kFeed) {
     const Holes& holes = std::get<Holes>(plan.payload);
@@ -512,7 +526,7 @@ bool cycleStep(IsoContext& c, BlockPlan& plan, const DrillStep& step, AxisPoint&
     style.feed *= step.feed_factor;
     style.kind = step.thread ? MotionKind::kThread : MotionKind::kFeed;
     if (step.thread) takeTapSpindle(c, plan, tapOf(holes.code), inwards, step.operation == 7, style);
-    return cycleMove(c, at, &style);
+    return cycleMove(c, plan, at, &style);
   }
   return cycleFunction(c, plan, step);
 }

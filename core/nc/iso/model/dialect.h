@@ -70,6 +70,7 @@ struct IsoRules {
   bool set_position_steps = false;  ///< U, V, W of G92 add to the position; false: they are refused
   bool directions_meet = false;     ///< lines by ,A meet in a corner without G41, G42 too
   bool keeps_return_level = false;  ///< the end of a drilling cycle leaves G98 and G99 as they are
+  bool cycles_in_comp = false;      ///< drilling cycles run under G41 and G42, at the compensated points
   bool motion_or_cycle =
       false;                    ///< of a motion code and a cycle in a block the later one holds; false: clash
   int local_call = -1;          ///< M code whose P is a block N of the same program to call; -1: none

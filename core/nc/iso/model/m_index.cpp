@@ -72,7 +72,11 @@ void visitSettings(const SpindleSettings& spindle, std::size_t index, const Visi
   for (const auto& [code, place] : {Named{spindle.main_code, &MFunction::main},
                                     {spindle.sync_code, &MFunction::sync},
                                     {spindle.shift_code, &MFunction::shift},
-                                    {spindle.axis_code, &MFunction::axis}}) {
+                                    {spindle.axis_code, &MFunction::axis},
+                                    {spindle.speed_code, &MFunction::speed},
+                                    {spindle.cw_code, &MFunction::cw},
+                                    {spindle.ccw_code, &MFunction::ccw},
+                                    {spindle.stop_code, &MFunction::stop}}) {
     visitAbove0(code, code, [&, at = place](MRange range) {
       visit(range, [&](MFunction& f) {
         if (f.*at < 0) f.*at = static_cast<std::int8_t>(index);

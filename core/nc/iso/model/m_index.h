@@ -30,18 +30,25 @@ struct MFunction {
   std::bitset<kSpindleNames> closes_loop;                   ///< of the spindle that is programmed
   std::bitset<kSpindleNames> indexes;                       ///< turns it by an angle
   std::int8_t main = -1, sync = -1, shift = -1, axis = -1;  ///< spindle whose settings name it so
+  std::int8_t speed = -1, cw = -1, ccw = -1, stop = -1;     ///< the same
 
   /// Does it belong to the spindles while S names that one?
   bool ofSpindle(int programmed) const {
     const auto at = static_cast<std::size_t>(programmed);
-    return of_spindles || closes_loop[at] || indexes[at] || main >= 0 || sync >= 0 || shift >= 0 || axis >= 0;
+    return of_spindles || closes_loop[at] || indexes[at] || main >= 0 || sync >= 0 || shift >= 0 ||
+           axis >= 0 || speed >= 0 || stop >= 0 || started() >= 0;
   }
+  /// The spindle that it turns; -1: none.
+  int started() const { return cw >= 0 ? cw : ccw; }
   /// Codes of one such group exclude each other in a block; 0: it is of none.
   int exclusive(int programmed) const {
     if (own != nullptr) return own->exclusive;
-    return of_spindles || closes_loop[static_cast<std::size_t>(programmed)] ? kSpindleCodes : 0;
+    const bool turns = stop >= 0 || started() >= 0;
+    return turns || of_spindles || closes_loop[static_cast<std::size_t>(programmed)] ? kSpindleCodes : 0;
   }
-  MPhase phase() const { return own != nullptr ? own->phase : MPhase::kAfter; }
+  MPhase phase() const {
+    return own != nullptr ? own->phase : started() >= 0 ? MPhase::kBefore : MPhase::kAfter;
+  }
 };
 
 /// Rows for all M codes, worked out anew when a parameter has changed.

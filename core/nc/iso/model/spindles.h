@@ -34,9 +34,10 @@ struct SpindleRecord {
 /// All spindles of a channel by index.
 struct Spindles {
   std::array<SpindleRecord, kMaxSpindles> record;
-  int programmed = 0;     ///< the last one that S named: M3, M4, M5, M19 are for it
-  int main = 0;           ///< the one of feeds per turn, surface speed and threads
-  bool has_axes = false;  ///< one of them can become an axis
+  int programmed = 0;      ///< the last one that S named: M3, M4, M5, M19 are for it
+  int main = 0;            ///< the one of feeds per turn, surface speed and threads
+  bool has_axes = false;   ///< one of them can become an axis
+  bool has_codes = false;  ///< one of them has codes of its own to turn and to stop
 };
 
 }  // namespace proveout::nc

@@ -18,7 +18,9 @@ bool movesOnArc(const BlockPlan& plan) {
 }  // namespace
 
 void holdLength(IsoContext& c, BlockPlan& plan) {
-  const AxisPoint &old = c.state.length, &length = plan.next.length;
+  AxisPoint old = c.state.length;
+  for (int axis = 0; axis < kMainAxes; ++axis) old[axis] += plan.length_shift[axis];
+  const AxisPoint& length = plan.next.length;
   if (old.xyz == length.xyz || plan.next.five.any()) return;
   IsoState before = plan.next;
   before.length = old;
@@ -29,7 +31,7 @@ void holdLength(IsoContext& c, BlockPlan& plan) {
     const double way = counted[axis] - plan.start[axis] + (held.in_steps[k] ? held.way[axis] : 0.0);
     if (old[axis] == length[axis]) continue;
     held.way[axis] = way;
-    held.axes[k] = held.in_steps[k] = std::abs(way) > kHeldNothingMm;
+    held.axes[k] = held.in_steps[k] = held.of_length[k] = std::abs(way) > kHeldNothingMm;
   }
 }
 
@@ -41,6 +43,7 @@ void holdPlane(BlockPlan& plan, const AxisPoint& counted, bool in_steps) {
     held.way[axis] = counted[axis] - plan.start[axis];
     held.axes[k] = std::abs(held.way[axis]) > kHeldNothingMm;
     held.in_steps[k] = held.axes[k] && in_steps;
+    held.of_length.reset(k);
   }
 }
 
@@ -59,6 +62,7 @@ void goHeldWay(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words
   const auto done = [&](std::size_t k) {
     held.axes.reset(k);
     held.in_steps.reset(k);
+    held.of_length.reset(k);
   };
   bool plane_told = false;  // an absolute word of the plane
   for (const Word& w : c.block.words) {
@@ -82,11 +86,13 @@ void goHeldWay(IsoContext& c, BlockPlan& plan, AxisPoint& target, WordsAre words
   }
   if (!plane_told) return;
   for (const int axis : {u, v}) {
-    if (axis >= kMainAxes || !held.axes[static_cast<std::size_t>(axis)]) continue;
+    if (axis >= kMainAxes) continue;
+    const auto k = static_cast<std::size_t>(axis);
+    if (!held.axes[k] || held.of_length[k]) continue;
     // An arc starts where the machine is.
     const bool wanted = goes && !polar && !movesOnArc(plan);
     if (wanted) target[axis] += held.way[axis];
-    done(static_cast<std::size_t>(axis));
+    done(k);
   }
 }
 

@@ -148,6 +148,47 @@ bool planPosition(IsoContext& c, BlockPlan& plan, const Word& w) {
   return true;
 }
 
+int defaultSpindle(const IsoContext& c) {
+  return std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
+}
+
+/// The spindle that the block turns, by M3, M4 or a code of its own; -1: none.
+int startedBy(const IsoContext& c, const BlockPlan& plan) {
+  for (int i = 0; i < plan.m_count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (plan.m[k]->started() >= 0) return plan.m[k]->started();
+    if (mcode::turns(plan.m_value[k])) return defaultSpindle(c);
+  }
+  return -1;
+}
+
+/// The spindle that S without a number is for. Where some have codes of their own, it is the one that turns.
+int spindleOfS(const IsoContext& c, const BlockPlan& plan) {
+  const Spindles& all = c.registers.spindles;
+  if (!all.has_codes) return defaultSpindle(c);
+  const int started = startedBy(c, plan);
+  return started >= 0 ? started : all.main;
+}
+
+/// What else a code of a spindle of its own does to the block: its speed is that of the motion.
+bool takeStarted(IsoContext& c, BlockPlan& plan) {
+  const Spindles& all = c.registers.spindles;
+  const int started = all.has_codes ? startedBy(c, plan) : -1;
+  if (started < 0) return true;
+  const Word* const p = c.block.find('P');
+  if (settingsOf(c, started).speed_by_p && p != nullptr && !plan.claimed.has('P') &&
+      !c.block.present.has('S')) {
+    plan.claimed.add('P');
+    if (!planSpeed(c, plan, *p, started)) return false;
+  }
+  if (started == all.main) return true;
+  const bool told = plan.spindle.index == started;
+  plan.next.spindle_rpm =
+      told ? plan.spindle.rpm : c.registers.spindles.record[static_cast<std::size_t>(started)].rpm;
+  plan.spindle_changed = false;
+  return true;
+}
+
 /// Words of an axis that a spindle can be count only while it is that axis.
 bool checkSpindleAxes(IsoContext& c) {
   for (int k = 0; k < spindleCount(c); ++k) {
@@ -197,11 +238,16 @@ void resetSpindles(IsoContext& c) {
   all = Spindles{};
   const int index = indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault]));
   all.main = all.programmed = std::max(0, index);
-  for (const SpindleSettings& s : c.settings.spindles) all.has_axes = all.has_axes || !s.axis.empty();
+  for (const SpindleSettings& s : c.settings.spindles) {
+    all.has_axes = all.has_axes || !s.axis.empty();
+    all.has_codes = all.has_codes || s.cw_code > 0 || s.ccw_code > 0;
+  }
   c.emitter.setSpindleAcceleration(settingsOf(c, all.main).acceleration);
 }
 
-bool planSpindle(IsoContext& c, BlockPlan& plan) {
+namespace {
+
+bool planSpeeds(IsoContext& c, BlockPlan& plan) {
   Spindles& all = c.registers.spindles;
   if (all.has_axes && !checkSpindleAxes(c)) return false;
   const Word* s = c.word('S');
@@ -232,7 +278,7 @@ bool planSpindle(IsoContext& c, BlockPlan& plan) {
     return planSurfaceSpeed(c, plan);
   }
   if (plan.next.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed) return planSurfaceSpeed(c, plan);
-  int index = std::max(0, indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault])));
+  int index = spindleOfS(c, plan);
   if (plan.by_group[kGroupSurfaceSpeed] != nullptr) index = all.main;  // G97 S
   const Word* p = c.block.find('P');
   if (p && !plan.claimed.has('P') && takesNumber(plan)) {
@@ -246,6 +292,10 @@ bool planSpindle(IsoContext& c, BlockPlan& plan) {
   }
   return planSpeed(c, plan, *s, index) && planSurfaceSpeed(c, plan);
 }
+
+}  // namespace
+
+bool planSpindle(IsoContext& c, BlockPlan& plan) { return planSpeeds(c, plan) && takeStarted(c, plan); }
 
 namespace {
 
@@ -398,8 +448,34 @@ bool becomeAxis(IsoContext& c, int index) {
   return sendEvent(c, std::move(told));
 }
 
+/// The spindle turns by speed and is the main one from here on.
+bool startAsMain(IsoContext& c, int index, int direction, double rpm) {
+  if (index == c.registers.spindles.main) return turn(c, index, direction, rpm);
+  SpindleRecord& record = recordOf(c, index);
+  record.mode = SpindleMode::kSpeed;
+  record.direction = direction;
+  record.rpm = rpm;
+  return makeMain(c, index);
+}
+
+/// A spindle with codes of its own stops; S, feeds and M3 are for the usual one again.
+bool stopOwn(IsoContext& c, int index) {
+  if (!turn(c, index, 0, recordOf(c, index).rpm)) return false;
+  return index != c.registers.spindles.main || makeMain(c, defaultSpindle(c));
+}
+
+bool leaveAxis(IsoContext& c, int index) {
+  SpindleRecord& record = recordOf(c, index);
+  if (record.mode == SpindleMode::kAxis) record.mode = SpindleMode::kSpeed;
+  return sendEvent(c, spindleEvent(c, index, 0.0, directionName(record.direction)));
+}
+
 /// A code that parameters or settings give to the spindles. False: reported.
-bool configuredFunction(IsoContext& c, const MFunction& found, int m, bool& handled) {
+bool configuredFunction(IsoContext& c, const BlockPlan& plan, const MFunction& found, int m, bool& handled) {
+  if (const int started = found.started(); started >= 0)
+    return startAsMain(c, started, found.cw >= 0 ? 1 : -1, plan.next.spindle_rpm);
+  if (found.stop >= 0) return stopOwn(c, found.stop);
+  if (found.speed >= 0) return leaveAxis(c, found.speed);
   const int index = c.registers.spindles.programmed;
   const auto at = static_cast<std::size_t>(index);
   if (found.closes_loop[at]) return closeLoop(c, index, false);
@@ -416,13 +492,16 @@ bool configuredFunction(IsoContext& c, const MFunction& found, int m, bool& hand
 
 bool spindleFunction(IsoContext& c, const BlockPlan& plan, const MFunction& found, int m, bool& handled) {
   Spindles& all = c.registers.spindles;
-  const int index = all.programmed;
+  const int index = all.has_codes ? defaultSpindle(c) : all.programmed;
   handled = true;
+  if (all.has_codes && mcode::turns(m))
+    return startAsMain(c, index, m == mcode::kClockwise ? 1 : -1, plan.next.spindle_rpm);
   if (mcode::turns(m) || m == mcode::kSpindleStop) {
     const double rpm = index == all.main ? plan.next.spindle_rpm : recordOf(c, index).rpm;
     return turn(c, index, m == mcode::kClockwise ? 1 : m == mcode::kCounterClockwise ? -1 : 0, rpm);
   }
-  if (m >= mcode::kFirstRange && m <= mcode::kLastRange) {
+  const bool configured = found.started() >= 0 || found.stop >= 0 || found.speed >= 0 || found.axis >= 0;
+  if (!configured && m >= mcode::kFirstRange && m <= mcode::kLastRange) {
     recordOf(c, index).gear = m - mcode::kFirstRange + 1;
     handled = false;
     return true;
@@ -433,7 +512,7 @@ bool spindleFunction(IsoContext& c, const BlockPlan& plan, const MFunction& foun
     }
     return closeLoop(c, index, true);
   }
-  return configuredFunction(c, found, m, handled);
+  return configuredFunction(c, plan, found, m, handled);
 }
 
 bool turnMain(IsoContext& c, int direction, double rpm) {

@@ -121,8 +121,28 @@ TEST(FanucComp, Refusals) {
   EXPECT_EQ(mill("G41 D1 G1 X0 Y10\nY20\nG40 G2 X20 Y40 R20\n").error(), "fanuc-034");
   EXPECT_EQ(mill("G41 D1 G1 X0 Y10\nY20\nG40\nG2 X20 Y40 R20\n").error(), "fanuc-034");
   EXPECT_EQ(mill("G41 D1 G1 X0 Y10\nG18\nX20\n").error(), "fanuc-037");
-  // Offsets of an arc and a line that do not meet: 033.
+  // An arc inside with room for the cutter, and one whose offset does not meet that of the line: 033.
   EXPECT_EQ(mill("G0 X0 Y-20\nG41 D1 G1 X0 Y0\nX20\nG3 X20 Y12 R6\nG1 X0 Y12\nG40 X-20\n").error(), "");
+  EXPECT_EQ(mill("G0 X-20 Y0\nG41 D1 G1 X10\nX20\nG3 X16.961 Y3.504 I-5.903 J-2.051\nG1 X-27.478 Y26.421\n")
+                .error(),
+            "fanuc-033");
+}
+
+// Section 10: the places of drilling cycles are compensated, the holes themselves keep the vector.
+TEST(FanucComp, DrillingCycles) {
+  EXPECT_EQ(motions("G0 X-20 Y0\nG41 D1 G1 X0 Y0\nG99 G81 X0 Y30 Z-5 R2\nX40\nY0\nG80\nG40 G0 X60\n"),
+            (Lines{"R -20 0 0", "F -5 0 0", "R -5 35 0", "R -5 35 2", "F -5 35 -5", "R -5 35 2", "R 45 35 2",
+                   "F 45 35 -5", "R 45 35 2", "R 45 0 2", "F 45 0 -5", "R 45 0 2", "R 60 0 2"}));
+  // The way to the first hole is the start-up, square to the next; repeats at a place drill there again.
+  EXPECT_EQ(motions("G99 G41 D1 G81 X20 Y0 Z-5 R2\nX40 K2\nG80 G40 G0 X60\n"),
+            (Lines{"R 20 5 0", "R 20 5 2", "F 20 5 -5", "R 20 5 2", "R 40 5 2", "F 40 5 -5", "R 40 5 2",
+                   "F 40 5 -5", "R 40 5 2", "R 60 0 2"}));
+  // Pecks and dwells stay in the hole.
+  EXPECT_EQ(motions("G0 X-20 Y0\nG41 D1 G1 X0 Y0\nG99 G83 X0 Y30 Z-5 R2 Q4\nG80\nG0 X40\nG40 Y0\n"),
+            (Lines{"R -20 0 0", "F -5 0 0", "R -5 35 0", "R -5 35 2", "F -5 35 -2", "R -5 35 2",
+                   "R -5 35 -1.5", "F -5 35 -5", "R -5 35 2", "R 40 35 2", "R 40 0 2"}));
+  // A shift across the hole would be a motion of the plane.
+  EXPECT_EQ(mill("G41 D1 G1 X0 Y10\nG76 X0 Y30 Z-5 R2 Q1\n").error(), "fanuc-cycle-in-comp");
 }
 
 // fan-8-cancel
