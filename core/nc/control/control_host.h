@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/nc/control/kept_data.h"
 #include "core/path/toolpath.h"
 
 namespace proveout {
@@ -68,8 +69,8 @@ struct Operator {
   std::array<double, 3> plc_numbers{};  ///< inputs #1033 to #1035
   bool test_mode = false;               ///< #_TEST
   int date = 20000101;                  ///< YYYYMMDD
-  /// Variables that the programs before this one have left in the control (InterpretSummary::kept).
-  std::map<int, double> kept;
+  /// What the programs before this one have left in the control (InterpretSummary::kept).
+  KeptData kept;
   int time = 0;  ///< HHMMSS at the start of the program; goes on with the cycle time
 };
 

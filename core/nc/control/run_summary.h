@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+
+#include "core/nc/control/kept_data.h"
 
 namespace proveout {
 
@@ -24,9 +25,7 @@ struct InterpretSummary {
   double cycle_s = 0.0;    ///< everything: motions, dwells, tool changes
   double cutting_s = 0.0;  ///< feed motions
   double rapid_s = 0.0;    ///< rapid motions
-  /// By number: variables that the control keeps for its next program, of controls that do. Without those
-  /// that are vacant.
-  std::map<int, double> kept = {};
+  KeptData kept = {};      ///< for the next program, of controls that keep something
   bool ok() const { return errors == 0 && end != ProgramEnd::kCancelled; }
 };
 

@@ -67,6 +67,7 @@ target_sources(proveout_core PRIVATE
   nc/fanuc/tables/text.cpp
   nc/fanuc/tables/transforms.cpp
   nc/fanuc/text/decimal.cpp
+  nc/fanuc/tools/kept_tables.cpp
   nc/fanuc/tools/offset_input.cpp
   nc/fanuc/tools/offsets.cpp
   nc/fanuc/tools/position_offset.cpp)

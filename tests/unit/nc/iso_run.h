@@ -28,7 +28,7 @@ struct IsoRun {
   InterpretSummary summary;
 
   IsoRun(ControlId control, const std::string& text, const ControlSettings& settings = runAtZero(),
-         const std::map<std::string, std::string>& others = {}) {
+         const std::map<std::string, std::string>& others = {}, const ControlHost& host = {}) {
     MemoryProgramSource source("main.nc", text);
     for (const auto& [name, program] : others) source.add(name, program);
     ToolpathBuilder sink(path);
@@ -36,7 +36,7 @@ struct IsoRun {
     if (control == ControlId::kFanucMill) straight.parameters.emplace("rapid", 1.0);
     if (straight.parameters.contains("rapid") && straight.parameters.at("rapid") < 0.0)
       straight.parameters.erase("rapid");
-    summary = interpret(control, source, straight, sink);
+    summary = interpret(control, source, straight, sink, nullptr, host);
   }
   /// "R 10 10 0", "F 30 10 0", "A 40 -15 0 c 40 -5 0 -90": kind, end, and of an arc its centre and sweep in
   /// degrees; up to four decimals, in workpiece coordinates. Kinds: R rapid, F feed, A arc by feed, T thread,

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/nc/fanuc/cycles/fanuc_cycles.h"
 #include "core/nc/fanuc/model/fanuc_data.h"
 #include "core/nc/fanuc/model/setting_notes.h"
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
@@ -34,7 +35,7 @@ void noteDefault(IsoContext& c, const BlockPlan& plan, IsoGroup group, std::stri
   data.noted.set(group);
   noteSettingOf(c, key, given,
                 fmt::format("the program moves and has not told {} before: {} holds from power-on",
-                            key == "power_on_units"      ? "G20 or G21"
+                            group == kGroupUnits         ? "G20 or G21"
                             : key == "power_on_distance" ? "G90 or G91"
                             : key == "power_on_motion"   ? "G00 or G01"
                                                          : "its plane",
@@ -49,7 +50,9 @@ void noteDefaults(IsoContext& c, const BlockPlan& plan) {
   }
   if (data.all_told || plan.perform == nullptr || plan.motion.named.none()) return;
   const auto given = [&](auto p) { return c.parameters.given(p); };
-  noteDefault(c, plan, kGroupUnits, "power_on_units", given(MotionParam::kDefaultG20));
+  const bool by_setting = isHaas(c) && !given(MotionParam::kDefaultG20);
+  noteDefault(c, plan, kGroupUnits, by_setting ? "setting_9" : "power_on_units",
+              by_setting ? given(FanucParam::kSetting9) : given(MotionParam::kDefaultG20));
   if (!isLathe(c)) noteDefault(c, plan, kGroupDistance, "power_on_distance", given(MotionParam::kDefaultG91));
   const bool modal = plan.governor != nullptr && plan.governor->group == kGroupMotion;
   if (modal) noteDefault(c, plan, kGroupMotion, "power_on_motion", given(MotionParam::kDefaultG1));
@@ -103,6 +106,8 @@ bool planFanuc(IsoContext& c, BlockPlan& plan) {
 }
 
 void fanucPowerOn(const IsoContext& c, IsoState& state) {
+  const bool inch = isHaas(c) && c.parameters.flag(FanucParam::kSetting9);
+  if (inch && !c.parameters.given(MotionParam::kDefaultG20)) state.active[kGroupUnits] = gcode::kInch;
   const int given = static_cast<int>(c.parameters[FanucParam::kPowerOnPlane]);
   const int plane = given != 0 ? given : isLathe(c) ? 18 : 17;
   state.active[kGroupPlane] = 10 * plane;
@@ -112,7 +117,21 @@ void fanucPowerOn(const IsoContext& c, IsoState& state) {
   state.axes.plane_w = static_cast<std::int8_t>(axes.w);
 }
 
+namespace {
+
+/// Settings of Haas in a job of another flavour.
+void tellSettingsOfHaas(IsoContext& c) {
+  for (const FanucParam setting : {FanucParam::kSetting9, FanucParam::kLocalShift}) {
+    if (isHaas(c) || !c.parameters.given(setting)) continue;
+    c.warn("setting", fmt::format("{} is a setting of Haas: it does nothing without flavour = \"haas\"",
+                                  c.parameters.name(setting)));
+  }
+}
+
+}  // namespace
+
 void fanucBegin(IsoContext& c) {
+  tellSettingsOfHaas(c);
   fanucJoinOffsets(c);
   if (c.parameters.flag(FanucParam::kRapid)) return;
   c.stages.dogleg.configure([&c] {

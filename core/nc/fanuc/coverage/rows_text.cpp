@@ -89,7 +89,7 @@ constexpr auto kFanucTextRowsList = std::to_array<CoverageIdRow>({
     {"fan-5-G53", "SIM", "done", "tests/unit/nc/fanuc/fanuc_reference_test.cpp"},
     {"fan-5-nomachine", "SIM", "done", "tests/unit/nc/fanuc/fanuc_reference_test.cpp"},
     {"fan-5-lengthsuspend", "SIM", "done", "tests/unit/nc/fanuc/fanuc_reference_test.cpp"},
-    {"fan-5-latheoffset", "SIM", "missing", ""},
+    {"fan-5-latheoffset", "SIM", "done", "tests/unit/nc/fanuc/fanuc_lathe_offsets_test.cpp"},
     {"fan-5-G90", "SIM", "done", "tests/unit/nc/fanuc/fanuc_feed_test.cpp"},
     {"fan-5-G91", "SIM", "done", "tests/unit/nc/fanuc/fanuc_feed_test.cpp"},
     {"fan-5-G22", "STATE", "done", "tests/unit/nc/fanuc/fanuc_feed_test.cpp"},

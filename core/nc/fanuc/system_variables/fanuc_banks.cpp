@@ -12,6 +12,7 @@
 #include "core/nc/fanuc/parameters/fanuc_parameters.h"
 #include "core/nc/fanuc/system_variables/common_bank.h"
 #include "core/nc/fanuc/system_variables/offset_numbers.h"
+#include "core/nc/fanuc/tools/kept_tables.h"
 #include "core/nc/iso/context/context.h"
 #include "core/nc/iso/system_variables/frame_bank.h"
 #include "core/nc/iso/system_variables/message_bank.h"
@@ -61,32 +62,37 @@ OffsetNumbering numberingOf(const IsoContext& c) {
   return out;
 }
 
-/// The code of a group as programs write it: 17, 90, 54.1.
-double plainCode(const IsoState& s, int group) {
-  return group < kGroupCount ? s.active[static_cast<std::size_t>(group)] / 10.0 : 0.0;
+/// The code of a group as programs write it: 17, 90, 54.1. That depends on the system of a lathe.
+double plainCode(const IsoContext& c, const IsoState& s, int group) {
+  constexpr double kTenfold = 10.0;
+  if (group >= kGroupCount) return 0.0;
+  const int code10 = s.active[static_cast<std::size_t>(group)];
+  const GCode* const code = c.codes.inForce(code10);
+  return (code == nullptr ? code10 : code->number10()) / kTenfold;
 }
 
 /// Mills of Haas have the work frames in group 12.
-double haasCode(const IsoState& s, int group) {
-  return plainCode(s, group == kGroupMacro ? kGroupWorkSystem : group);
+double haasCode(const IsoContext& c, const IsoState& s, int group) {
+  return plainCode(c, s, group == kGroupMacro ? kGroupWorkSystem : group);
 }
 
 /// Groups of lathes: 2 is constant surface speed, 16 the plane.
-double latheCode(const IsoState& s, int group) {
+double latheCode(const IsoContext& c, const IsoState& s, int group) {
   constexpr int kSurface = 2, kPlaneOfLathes = 16, kZones = 9, kCycles = 10;
+  constexpr double kFromFaceToSide = 4.0;  // G83 along Z is G87 along X
   const int shared = group == kSurface         ? kGroupSurfaceSpeed
                      : group == kPlaneOfLathes ? kGroupPlane
                      : group == kZones         ? kGroupZones
                      : group == kCycles        ? kGroupCycle
                                                : group;
-  return plainCode(s, shared);
+  if (shared != kGroupCycle) return plainCode(c, s, shared);
+  const bool side = s.inCycle() && s.cycle.drill_axis == 0;
+  return s.active[kGroupCycle] / 10.0 + (side ? kFromFaceToSide : 0.0);
 }
 
-/// System A writes feeds per minute and per turn as G98 and G99, and has no G90 and G91.
-double latheCodeOfA(const IsoState& s, int group) {
-  constexpr double kPerMinute = 98, kPerTurn = 99;
-  if (group == kGroupFeedMode) return s.perTurn() ? kPerTurn : kPerMinute;
-  return group == kGroupDistance ? 0.0 : latheCode(s, group);
+/// System A has no G90 and G91.
+double latheCodeOfA(const IsoContext& c, const IsoState& s, int group) {
+  return group == kGroupDistance ? 0.0 : latheCode(c, s, group);
 }
 
 /// The number behind the O or : that stands in front of the program; 0: none.
@@ -168,7 +174,7 @@ class MillOffsets final : public ToolOffsetBank {
 class FanucBanks final : public SystemVariables {
  public:
   FanucBanks(IsoContext& context, std::unique_ptr<ToolOffsetBank> offsets,
-             std::span<const FrameNumbers> frames, double (*code)(const IsoState&, int))
+             std::span<const FrameNumbers> frames, double (*code)(const IsoContext&, const IsoState&, int))
       : modal_(context, {code, kFanucGroups, headNumber, true}),
         frames_(context, {frames, false}),
         offsets_(std::move(offsets)),
@@ -176,7 +182,8 @@ class FanucBanks final : public SystemVariables {
         plc_(context.host.person),
         status_(context, {kHourMs, false, true}),
         messages_(context, false),
-        unknown_(context) {
+        unknown_(context),
+        tables_(context) {
     VariableStore& store = context.variables;
     store.endLowGlobals(kLastLowCommon);
     modal_.addTo(store);
@@ -188,14 +195,15 @@ class FanucBanks final : public SystemVariables {
     messages_.addTo(store);
     common_.addTo(store);
     store.setFallback(unknown_);
-    for (const auto& [number, value] : context.host.person.kept) store.write(number, {value});
+    for (const auto& [number, value] : context.host.person.kept.variables) store.write(number, {value});
   }
   void keep(IsoContext& c) override {
     for (int number = VariableStore::kFirstKept; number <= VariableStore::kLastGlobal; ++number) {
       Value value;
-      if (c.variables.peek(number, value) && !value.vacant) c.summary.kept[number] = value.number;
+      if (c.variables.peek(number, value) && !value.vacant) c.summary.kept.variables[number] = value.number;
     }
-    common_.addTo(c.summary.kept);
+    common_.addTo(c.summary.kept.variables);
+    tables_.keep(c);
   }
 
  private:
@@ -208,6 +216,7 @@ class FanucBanks final : public SystemVariables {
   MessageBank messages_;
   CommonBank common_;
   UnknownBank unknown_;
+  KeptTables tables_;
 };
 
 }  // namespace

@@ -16,6 +16,13 @@ class HaasBanks final : public SystemVariables {
   HaasBanks(IsoContext& context, std::unique_ptr<SystemVariables> others)
       : others_(std::move(others)), bank_(context) {
     bank_.addTo(context.variables);
+    for (const auto& [number, value] : context.host.person.kept.variables) {
+      if (number >= kToolDataFirst && number <= kHaasLast) context.variables.write(number, {value});
+    }
+  }
+  void keep(IsoContext& c) override {
+    others_->keep(c);
+    bank_.addTo(c.summary.kept.variables);
   }
 
  private:
@@ -28,6 +35,12 @@ class HaasBanks final : public SystemVariables {
 void HaasBank::addTo(VariableStore& store) {
   store.addBank(kHaasFirst, kHaasLast, *this);
   store.addBank(kToolDataFirst, kToolDataLast, *this);
+}
+
+void HaasBank::addTo(std::map<int, double>& kept) const {
+  for (const auto& [number, value] : stored_) {
+    if (!value.vacant) kept[number] = value.number;
+  }
 }
 
 bool HaasBank::common(int number) {

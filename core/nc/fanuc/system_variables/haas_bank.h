@@ -17,6 +17,8 @@ class HaasBank final : public VariableBank {
  public:
   explicit HaasBank(IsoContext& context) : c_(context) {}
   void addTo(VariableStore& store);
+  /// Adds what programs have stored here, by number.
+  void addTo(std::map<int, double>& kept) const;
   VariableStatus read(int number, Value& out) override;
   VariableStatus write(int number, const Value& value) override;
 

@@ -149,7 +149,7 @@ VariableStatus ModalBank::read(int number, Value& out) {
   const int word = index - 100;
   bool known = index >= 1 && index <= rules_.groups;
   if (known && rules_.code != nullptr) {
-    out.number = rules_.code(state, index);
+    out.number = rules_.code(c_, state, index);
   } else if (known) {
     out.number = index < kGroupCount ? modalCode(state.active[static_cast<std::size_t>(index)]) : 0.0;
   } else if (word == kO) {

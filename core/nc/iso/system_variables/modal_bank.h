@@ -12,7 +12,8 @@ class SourceText;
 
 /// How a control tells codes and programs. Defaults: as nct does.
 struct ModalRules {
-  double (*code)(const IsoState&, int group) = nullptr;  ///< of a group; null: modalCode() of the family's
+  /// Of a group, in a state of the channel. Null: modalCode() of the family's.
+  double (*code)(const IsoContext&, const IsoState&, int group) = nullptr;
   int groups = 39;
   int (*program)(const SourceText&) = nullptr;  ///< number of a program; null: by the name of its file
   /// #4115 is the program in hand; false: the one that was called last.
