@@ -82,6 +82,12 @@ bool performLinuxCncSteps(IsoContext& c, BlockPlan& plan) {
   }
   if (!plan.next.compOn() && own.comp.linked() && !own.comp.end()) return false;
   own.modal = own.next;
+  return !plan.tool_change || plan.next.compOn() || lcnTakeStanding(c);
+}
+
+bool lcnTakeStanding(IsoContext& c) {
+  if (!c.flushPipe()) return false;
+  c.settle(c.standing());
   return true;
 }
 

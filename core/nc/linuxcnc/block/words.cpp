@@ -26,16 +26,11 @@ bool lcnPolar(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
                    radius != nullptr ? radius : angle);
   if (plan.next.active[kGroupPlane] != gcode::kPlaneXY)
     return lcnFail(c, "polar", "Cannot use polar coordinates except in G17 plane", radius ? radius : angle);
-  const double u = plan.start[plane.u], v = plan.start[plane.v];
-  double r = std::hypot(u, v), theta = radToDeg(std::atan2(v, u));
+  const double r = std::hypot(plan.start[plane.u], plan.start[plane.v]);
   if ((radius == nullptr || angle == nullptr) && r == 0.0)
     return lcnFail(c, "polar", "Must specify both polar coordinates when the current point is the origin",
                    radius != nullptr ? radius : angle);
-  const bool step = plan.next.incremental();
-  if (radius != nullptr) r = (step ? r : 0.0) + lengthOf(plan, *radius);
-  if (angle != nullptr) theta = (step ? theta : 0.0) + angle->value;
-  target[plane.u] = r * cosDegrees(theta);
-  target[plane.v] = r * sinDegrees(theta);
+  lcnPolarFrom(c, plan, plan.start, target);
   plan.motion.named.set(static_cast<std::size_t>(plane.u)).set(static_cast<std::size_t>(plane.v));
   return true;
 }
@@ -69,6 +64,19 @@ bool lcnInReach(IsoContext& c, const BlockPlan& plan, const AxisPoint& target) {
 }
 
 }  // namespace
+
+void lcnPolarFrom(IsoContext& c, const BlockPlan& plan, const AxisPoint& from, AxisPoint& target) {
+  const Word* radius = c.word(kNamedWord);
+  const Word* angle = c.word('^');
+  const WorkPlane plane = plan.next.workPlane();
+  const double u = from[plane.u], v = from[plane.v];
+  double r = std::hypot(u, v), theta = radToDeg(std::atan2(v, u));
+  const bool step = plan.next.incremental();
+  if (radius != nullptr) r = (step ? r : 0.0) + lengthOf(plan, *radius);
+  if (angle != nullptr) theta = (step ? theta : 0.0) + angle->value;
+  target[plane.u] = r * cosDegrees(theta);
+  target[plane.v] = r * sinDegrees(theta);
+}
 
 bool lcnAnyAxis(const IsoContext& c) {
   return c.anyAxisWord() || c.block.present.has(kNamedWord) || c.block.present.has('^');

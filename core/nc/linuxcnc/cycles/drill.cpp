@@ -294,9 +294,11 @@ bool planLcnCycle(IsoContext& c, BlockPlan& plan) {
   LcnDriller driller(own, plane, direction, plan.start);
   if (cycle.old_level < hole.r) driller.rapid(hole.r);
   AxisPoint at = plan.start;
+  const bool polar = c.block.present.has(kNamedWord) || c.block.present.has('^');
   for (std::int64_t k = 0; k < repeats; ++k) {
+    if (polar && step) lcnPolarFrom(c, plan, at, at);
     for (const int axis : {plane.u, plane.v}) {
-      if (!plan.motion.named[static_cast<std::size_t>(axis)]) continue;
+      if (!plan.motion.named[static_cast<std::size_t>(axis)] || (polar && step)) continue;
       at[axis] = step ? at[axis] + plan.motion.target[axis] - plan.start[axis] : plan.motion.target[axis];
     }
     // From R or below it the way to the hole leads to the level of return, from above it stays.

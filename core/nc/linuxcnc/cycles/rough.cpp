@@ -71,14 +71,10 @@ bool lcnRoughWords(IsoContext& c, BlockPlan& plan, LcnRoughWords& out) {
   return true;
 }
 
-/// G70: along the contour, pass by pass nearer to it.
+/// G70: along the contour, pass by pass nearer to it. Compensation begins anew with the way to each pass.
 bool lcnFinish(IsoContext& c, const BlockPlan& plan, const LinuxCncProfile& profile,
                const LcnRoughWords& words, LcnRougher& rougher) {
   const bool comp = plan.next.compOn();
-  if (comp && (words.passes > 1 || !linuxCncChannel(c).comp.idle()))
-    return lcnFail(c, "profile",
-                   "G70 with cutter compensation is the first motion of it, and has one pass: program G41 or "
-                   "G42 in front of it, and G40 before that");
   std::optional<LcnRoughContour> contour;
   if (!lcnRoughContour(c, profile, lcnGoesOneWay(profile, 0) ? 1 : 0, contour)) return false;
   const LcnRoughFrame& frame = contour->frame;

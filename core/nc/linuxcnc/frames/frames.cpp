@@ -190,7 +190,8 @@ bool planLcnHome(IsoContext& c, BlockPlan& plan) {
   const AxisPoint stored = plan.chain->programOf(home);
   AxisPoint to = plan.motion.target;
   using Kind = LinuxCncStep::Kind;
-  if (lcnAnyAxis(c)) own.steps.push_back({.kind = Kind::kRapid, .to = plan.motion.target});
+  // Without words too: what compensation has left over is made good first.
+  own.steps.push_back({.kind = Kind::kRapid, .to = plan.motion.target});
   for (int axis = 0; axis < c.axes.count(); ++axis) {
     if (!lcnAnyAxis(c) || plan.motion.named[static_cast<std::size_t>(axis)]) to[axis] = stored[axis];
   }

@@ -13,6 +13,14 @@
 namespace proveout::nc {
 namespace {
 
+/// What gives the values of the machine that a program asks for.
+std::string lcnWhereFrom(std::string_view name) {
+  const std::size_t close = name.find(']');
+  if (name.starts_with("_hal[") && close != std::string_view::npos)
+    return fmt::format(": give it in the job, [control.linuxcnc.hal] \"{}\" = 0", name.substr(5, close - 5));
+  return name.starts_with("_ini[") ? ": the file that `ini` of [control.linuxcnc] names has it not" : "";
+}
+
 /// What alarms of operators and functions are called; texts as the interpreter has them.
 LcnFault lcnRefusal(SharedAlarm refusal, std::string_view function) {
   switch (refusal) {
@@ -129,7 +137,9 @@ bool LcnFormula::variable(Value& out) {
   if (asked.number > 0) {
     out = names_.parameter(asked.number);
   } else if (!names_.named(asked.name, out)) {
-    return say("not-defined", fmt::format("Named parameter #<{}> not defined", asked.name), begin);
+    return say("not-defined",
+               fmt::format("Named parameter #<{}> not defined{}", asked.name, lcnWhereFrom(asked.name)),
+               begin);
   }
   if (out.origin != 0) reads_.push_back(out.origin);
   return true;

@@ -25,6 +25,8 @@ inline bool lcnCompOn(const IsoContext& c, const BlockPlan& plan) {
 bool lcnAnyAxis(const IsoContext& c);
 /// The end of the axis words in program coordinates, with G53, polar words and diameters. False: reported.
 bool lcnTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target);
+/// The point that @ and ^ name, seen from `from`, in the plane's coordinates of `target`.
+void lcnPolarFrom(IsoContext& c, const BlockPlan& plan, const AxisPoint& from, AxisPoint& target);
 /// The integer of a word, within 0.0001. False: it is none, reported.
 bool lcnInteger(IsoContext& c, const Word& w, std::int64_t& out);
 /// Feed of a motion of `length` mm in X, Y, Z and of `turn` degrees; `code` for messages. False: reported.
@@ -37,6 +39,10 @@ double lcnRpm(const IsoContext& c, const BlockPlan& plan);
 bool lcnSpindleTurns(const IsoContext& c, const BlockPlan& plan);
 /// Way of the degrees in all rotary axes, and length in X, Y, Z.
 double lcnTurnOf(const IsoContext& c, const AxisPoint& a, const AxisPoint& b);
+
+/// The program goes on from where the tool really stands, whatever compensation has left over. False:
+/// reported.
+bool lcnTakeStanding(IsoContext& c);
 
 /// Perform function of blocks with steps; makes `next` of the channel its state.
 bool performLinuxCncSteps(IsoContext& c, BlockPlan& plan);

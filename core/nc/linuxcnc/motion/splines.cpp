@@ -8,6 +8,7 @@
 namespace proveout::nc {
 namespace {
 
+constexpr int kLcnMostOrder = 20;
 constexpr double kLcnChordMm = 1e-3;
 constexpr std::size_t kLcnMostPoints = 100000;
 
@@ -198,7 +199,8 @@ bool planLcnKnots(IsoContext& c, BlockPlan& plan) {
     const Word* p = c.ownWord(plan, 'P');
     std::int64_t order = 4;
     if (p != nullptr && !lcnInteger(c, *p, order)) return false;
-    if (order < 2 || order > 5) return lcnFail(c, "spline", "P of G6.2 is the order, 2 to 5", p);
+    if (order < 2 || order > kLcnMostOrder)
+      return lcnFail(c, "spline", fmt::format("P of G6.2 is the order, 2 to {}", kLcnMostOrder), p);
     curve.added_order = static_cast<int>(order);
     if ((at - plan.next.workPlane().of(plan.start).head<2>()).norm() > kLcnChordMm)
       return lcnFail(c, "spline", "the tool must stand at the first point of G6.2");

@@ -9,6 +9,7 @@
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/tools/tools.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 
 namespace proveout::nc {
@@ -230,8 +231,7 @@ bool LinuxCncLanguage::toolNumber(const Word& m) {
   if (!knowsTool(static_cast<int>(number))) return unknownTool(*q);
   if (c_.state.compOn())
     return functionFails(m, "comp", "Cannot change tools with cutter radius compensation on");
-  if (!c_.flushPipe()) return false;
-  return sendToolChange(c_, static_cast<int>(number), 0);
+  return lcnTakeStanding(c_) && sendToolChange(c_, static_cast<int>(number), 0);
 }
 
 bool LinuxCncLanguage::unknownTool(const Word& w) {

@@ -180,7 +180,8 @@ void LinuxCncLanguage::left(const CallFrame& /*frame*/) {
 std::uint64_t LinuxCncLanguage::fingerprint() const {
   std::uint64_t repeats = 0;
   for (const Repeat& r : repeats_) repeats = repeats * 31 + static_cast<std::uint64_t>(r.left);
-  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0) + (contour_ ? contour_->done ? 3 : 2 : 0);
+  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0) +
+         (contour_ ? contour_->done ? 3 : 2 : 0);
 }
 
 }  // namespace proveout::nc

@@ -153,8 +153,10 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
   if (further && word.axis < 0 && !centre && !corner) {
     return fault(
         "bad-character",
-        fmt::format("Bad character '{}' used: the machine of the job has no axis {}", c, word.address), pos,
-        pos + 1);
+        fmt::format("Bad character '{}' used: the machine of the job has no axis {} ([machine], or `axes` of "
+                    "[control.linuxcnc])",
+                    c, word.address),
+        pos, pos + 1);
   }
   LcnEvaluator evaluator(line_.text, *this);
   Value value;
@@ -191,8 +193,13 @@ bool LinuxCncLanguage::takeCode(Word& word, std::size_t begin, std::size_t end) 
   }
   std::int64_t number = 0;
   if (!lcnInteger(word.value, number)) return fault("integer", "Non integer value for integer", begin, end);
-  if (number < 0 || number > 199)
-    return fault("m-range", fmt::format("M-code greater than 199: M{}", number), begin, end);
+  if ((number < 0 || number > 199) && !machine_.remaps.contains(fmt::format("M{}", number)))
+    return fault(
+        "m-range",
+        fmt::format("M-code greater than 199: M{}; subs for codes of the machine are given by `remap` or "
+                    "`ini` of [control.linuxcnc]",
+                    number),
+        begin, end);
   word.value = static_cast<double>(number);
   return true;
 }

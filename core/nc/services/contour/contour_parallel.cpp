@@ -72,8 +72,11 @@ std::optional<ContourElement> aboutCorner(const ContourElement& a, const Contour
 bool meetAtCorner(ContourElement& a, ContourElement& b) {
   const double gap = (b.from - a.to).norm();
   if (gap >= kSmallGap) return false;
-  const auto at = nearestMeeting(curveOf(a), curveOf(b), 0.5 * (a.to + b.from));
-  if (!at || (*at - a.to).norm() > gap || (*at - b.from).norm() > gap) return false;
+  const Vec2 middle = 0.5 * (a.to + b.from);
+  auto at = nearestMeeting(curveOf(a), curveOf(b), middle);
+  const bool far = !at || (*at - a.to).norm() > gap || (*at - b.from).norm() > gap;
+  if (far && gap >= kMostGap) return false;
+  if (far) at = middle;  // they are tangent but for the rounding of the program
   a = cutTo(a, a.from, *at);
   b = cutTo(b, *at, b.to);
   return true;

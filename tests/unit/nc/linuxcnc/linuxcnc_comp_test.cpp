@@ -128,5 +128,16 @@ TEST(LinuxCncCompensation, TurnsByTheTipOfTheTable) {
                                                      "F 14.8828 0 -15.1172", "R 20 0 -15"}));
 }
 
+// lcn-5-M6 lcn-5-M61 lcn-4-G28: behind a tool change the program goes on from where the tool is, else from
+// where it would be without compensation.
+TEST(LinuxCncComp, LeavesARestThatAToolChangeTakes) {
+  const std::string contour = "G41.1 D4 G1 X10\nY10\nG40\n";
+  EXPECT_EQ(runLcn(contour + "G0 Z5").motions().back(), "R 10 10 5");
+  EXPECT_EQ(runLcn(contour + "T1 M6\nG0 Z5").motions().back(), "R 8 10 5");
+  EXPECT_EQ(runLcn(contour + "M61 Q1\nG91 G0 X1").motions().back(), "R 9 10 0");
+  const std::vector<std::string> home = runLcn(contour + "G28").motions();
+  EXPECT_EQ((std::vector<std::string>{home[2], home[3]}), (std::vector<std::string>{"R 10 10 0", "R 0 0 0"}));
+}
+
 }  // namespace
 }  // namespace proveout::test

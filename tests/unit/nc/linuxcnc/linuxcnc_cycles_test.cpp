@@ -50,6 +50,12 @@ const std::vector<LcnCase> kLcnCyclesCases{
      "G81 X5 Z-2 R1 L2",
      {"R 0 0 1", "R 5 0 1", "F 5 0 -2", "R 5 0 1", "F 5 0 -2", "R 5 0 1"},
      ""},
+    // lcn-3-L lcn-3-polar
+    {"steps in degrees with L",
+     "G0 X10 Y0\nG91 G81 R-1 Z-1 ^90 L3",
+     {"R 10 0 0", "R 0 10 0", "R 0 10 -1", "F 0 10 -2", "R 0 10 -1", "R -10 0 -1", "F -10 0 -2",
+      "R -10 0 -1", "R 0 -10 -1", "F 0 -10 -2", "R 0 -10 -1"},
+     ""},
     // lcn-4-G18
     {"in the plane XZ", "G18 G81 X1 Y-3 Z1 R2", {"R 0 2 0", "R 1 2 1", "F 1 -3 1", "R 1 2 1"}, ""},
     // lcn-3-G87

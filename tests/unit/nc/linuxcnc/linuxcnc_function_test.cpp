@@ -145,6 +145,18 @@ TEST(LinuxCncFunction, SavedStates) {
   EXPECT_EQ(lcn("M73\nG20\nM2\n").error(), "");
 }
 
+// lcn-2-inihal
+TEST(LinuxCncMachine, TellsWhichPinIsMissing) {
+  const IsoRun run = lcn("F#<_hal[plasmac.cut-feed-rate]>\nM2\n");
+  EXPECT_EQ(run.error(), "linuxcnc-not-defined");
+  EXPECT_NE(run.message().find("[control.linuxcnc.hal] \"plasmac.cut-feed-rate\""), std::string::npos)
+      << run.message();
+  EXPECT_EQ(lcn("F#<_hal[plasmac.cut-feed-rate]> G1 X3\nM2\n", {},
+                withTexts({{"hal.plasmac.cut-feed-rate", "900"}}))
+                .motions(),
+            (Lines{"F 3 0 0"}));
+}
+
 // lcn-1-ini lcn-1-units lcn-2-inihal
 TEST(LinuxCncMachine, IniFile) {
   const ControlSettings settings =
@@ -188,6 +200,12 @@ TEST(LinuxCncMachine, Remaps) {
   EXPECT_EQ(told(lcn("T4 M6\nM2\n", files, settings)), (Lines{"sel 4.000000", "cur 4.000000"}));
   EXPECT_EQ(lcn("G88.6 X3 Z4\nM2\n", files, settings).motions(), (Lines{"R 3 0 0", "R 3 0 4"}));
   EXPECT_EQ(lcn("M140 P1\nM2\n", files, settings).error(), "linuxcnc-python-remap");
+  // Codes above M199 are there only so.
+  EXPECT_EQ(lcn("M428 X3\nM2\n", {{"kins.ngc", "o<kins> sub\nG0 X#<x>\no<kins> endsub\n"}},
+                withTexts({{"remap.M428", "kins"}}))
+                .motions(),
+            (Lines{"R 3 0 0"}));
+  EXPECT_EQ(lcn("M428\nM2\n").error(), "linuxcnc-m-range");
   EXPECT_EQ(lcn("M6\nM2\n", {}, settings).error(), "linuxcnc-remap");
 }
 

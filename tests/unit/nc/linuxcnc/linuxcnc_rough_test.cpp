@@ -260,8 +260,12 @@ TEST(LinuxCncRough, FinishesWithCompensation) {
   EXPECT_EQ(run.error(), "") << run.message();
   const IsoRun by_hand = runLcn(contour + "G0 X30 Z2\nG42.1 D2\nG0 X10 Z0\nG1 Z-10\nX20\nG40 G0 X40");
   EXPECT_EQ(run.motions(), by_hand.motions());
-  EXPECT_EQ(runLcn(contour + "G42.1 D2\nG70 Q100 X30 Z2 D1 E.2 P2").error(), "linuxcnc-profile");
-  EXPECT_EQ(runLcn(contour + "G42.1 D2\nG0 X35\nG70 Q100 X30 Z2").error(), "linuxcnc-profile");
+  const IsoRun passes = runLcn(contour + "G42.1 D2\nG70 Q100 X30 Z2 D1 P2\nG40 G0 X40");
+  const IsoRun twice = runLcn(contour +
+                              "G0 X30 Z2\nG42.1 D2\nG0 X10.5 Z0\nG1 Z-9.5\nX20\nG40 G0 X30 Z2\nG42.1 D2\n"
+                              "G0 X10 Z0\nG1 Z-10\nX20\nG40 G0 X40");
+  EXPECT_EQ(passes.error(), "") << passes.message();
+  EXPECT_EQ(passes.motions(), twice.motions());
   EXPECT_EQ(runLcn(contour + "G42.1 D2\nG71 Q100 X30 Z2").error(), "linuxcnc-comp");
 }
 
