@@ -1,5 +1,6 @@
 // peer COUNT SEED FOLDER: random programs here and in LinuxCNC's interpreter. A program that both refuse is
 // run again without the line that was refused, until it runs.
+// peer --files FOLDER FILE...: these programs.
 #include <fmt/core.h>
 
 #include <cstdlib>
@@ -7,122 +8,108 @@
 #include <fstream>
 #include <map>
 
+#include "tests/peer/comparison.h"
+#include "tests/peer/language_programs.h"
 #include "tests/peer/programs.h"
-#include "tests/peer/rs274.h"
-#include "tests/unit/nc/iso_run.h"
 
 namespace proveout::peer {
 namespace {
 
-/// The interpreter prints four decimals; frames and turns add a few of them up.
-constexpr double kPrinted = 3e-4;
+using Counts = std::map<Verdict, int>;
 
-struct Ours {
-  PeerRun run;
-  int line = 0;  ///< of the error
+void print(const Counts& counts) {
+  const auto of = [&](Verdict v) { return counts.contains(v) ? counts.at(v) : 0; };
+  fmt::print("same {}, same refusal {}, known faults {}, different {}\n", of(Verdict::kSame),
+             of(Verdict::kSameRefusal), of(Verdict::kFault), of(Verdict::kDifferent));
+}
+
+/// A random program on its way: it lives while both refuse the same line.
+struct Trial {
+  std::vector<std::string> lines;
+  std::string path;
+  bool open = true;
 };
 
-Ours runHere(const std::string& program) {
-  ControlSettings settings = test::runAtZero();
-  settings.length_offsets = {{1, {50.0, 0.0}}, {2, {30.0, 0.0}}};
-  settings.radius_offsets = {{1, {5.0, 0.0}}, {2, {3.0, 0.0}}};
-  const test::IsoRun run(ControlId::kLinuxCnc, program, settings);
-  Ours ours;
-  for (const Motion& m : run.path.motions) {
-    PeerMotion motion;
-    motion.kind = m.arc >= 0 ? 'A' : m.kind == MotionKind::kRapid ? 'R' : 'F';
-    motion.to = m.to;
-    if (m.arc >= 0) motion.center = run.path.arcs[static_cast<std::size_t>(m.arc)].center;
-    ours.run.motions.push_back(motion);
+void write(const Trial& trial) {
+  std::ofstream out(trial.path);
+  for (const std::string& line : trial.lines) out << line << '\n';
+}
+
+void round(std::vector<Trial>& trials, const std::string& folder, Counts& counts, Counts& ends) {
+  std::vector<std::string> paths;
+  for (const Trial& t : trials) {
+    if (!t.open) continue;
+    write(t);
+    paths.push_back(t.path);
   }
-  const Diagnostic error = run.first(Severity::kError);
-  ours.run.error = error.code.empty() ? "" : error.code + ": " + error.message;
-  ours.line = static_cast<int>(error.where.line);
-  return ours;
-}
-
-/// Without motions that go nowhere.
-std::vector<PeerMotion> moving(const std::vector<PeerMotion>& motions) {
-  std::vector<PeerMotion> all;
-  Vec3 at = Vec3::Zero();
-  for (const PeerMotion& m : motions) {
-    if (m.kind == 'A' || (m.to - at).cwiseAbs().maxCoeff() > kPrinted) all.push_back(m);
-    at = m.to;
+  const std::vector<PeerRun> theirs = runInterpreter(paths, peerTools(), folder);
+  auto run = theirs.begin();
+  for (Trial& t : trials) {
+    if (!t.open) continue;
+    const Ours ours = runHere(t.path);
+    std::string what;
+    const Verdict verdict = compare(*run++, ours, what);
+    ++counts[verdict];
+    const bool again =
+        verdict == Verdict::kSameRefusal && ours.line > 0 && ours.line < static_cast<int>(t.lines.size());
+    if (verdict == Verdict::kDifferent)
+      fmt::print("{}: {}\n", t.path, what);
+    else if (!again)
+      std::filesystem::remove(t.path);
+    if (again) t.lines.erase(t.lines.begin() + ours.line - 1);
+    if (!again) ++ends[verdict];
+    t.open = again;
   }
-  return all;
 }
 
-bool same(const PeerMotion& theirs, const PeerMotion& ours) {
-  if (theirs.kind != ours.kind || (theirs.to - ours.to).cwiseAbs().maxCoeff() > kPrinted) return false;
-  for (int axis = 0; axis < 3; ++axis) {
-    const bool counts = theirs.kind == 'A' && theirs.center_axes[static_cast<std::size_t>(axis)];
-    if (counts && std::abs(theirs.center[axis] - ours.center[axis]) > kPrinted) return false;
-  }
-  return true;
-}
-
-enum class Verdict { kSame, kSameRefusal, kDifferent };
-
-Verdict compare(const PeerRun& theirs, const PeerRun& ours, std::string& what) {
-  const auto a = moving(theirs.motions), b = moving(ours.motions);
-  std::size_t k = 0;
-  while (k < std::min(a.size(), b.size()) && same(a[k], b[k])) ++k;
-  const auto shown = [](const std::vector<PeerMotion>& of, std::size_t i) {
-    return i < of.size() ? fmt::format("{} {}", of[i].kind, test::IsoRun::shown(of[i].to))
-                         : std::string("none");
-  };
-  what = fmt::format("motion {}: interpreter {}, here {}; errors: '{}', '{}'", k, shown(a, k), shown(b, k),
-                     theirs.error, ours.error);
-  if (theirs.error.empty() != ours.error.empty()) return Verdict::kDifferent;
-  if (!theirs.error.empty())
-    return k >= std::min(a.size(), b.size()) ? Verdict::kSameRefusal : Verdict::kDifferent;
-  return k == a.size() && k == b.size() ? Verdict::kSame : Verdict::kDifferent;
-}
-
-std::string textOf(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) text += line + '\n';
-  return text;
-}
-
-int compareAll(int count, std::uint64_t seed, const std::string& folder) {
-  std::map<Verdict, int> found;
-  for (int k = 0; k < count; ++k) {
-    std::vector<std::string> lines = randomProgram(seed * 1000003u + static_cast<std::uint64_t>(k));
-    for (int round = 0; round < 20; ++round) {
-      const std::string text = textOf(lines);
-      const auto theirs = runInterpreter(text, folder + "/run");
-      if (!theirs) return 2;
-      const Ours ours = runHere(text);
-      std::string what;
-      const Verdict verdict = compare(*theirs, ours.run, what);
-      ++found[verdict];
-      if (verdict == Verdict::kDifferent) {
-        const std::string name = fmt::format("{}/different-{}-{}.ngc", folder, seed, k);
-        std::ofstream(name) << text;
-        fmt::print("{}: {}\n", name, what);
-      }
-      const bool again =
-          verdict == Verdict::kSameRefusal && ours.line > 0 && ours.line <= static_cast<int>(lines.size());
-      if (!again) break;
-      lines.erase(lines.begin() + ours.line - 1);
+int compareRandom(int count, std::uint64_t seed, const std::string& folder) {
+  constexpr int kAtOnce = 500;
+  Counts counts, ends;
+  for (int from = 0; from < count; from += kAtOnce) {
+    std::vector<Trial> trials;
+    for (int k = from; k < std::min(count, from + kAtOnce); ++k) {
+      const std::uint64_t own = seed * 1000003u + static_cast<std::uint64_t>(k);
+      trials.push_back({k % 4 == 3 ? randomLanguageProgram(own) : randomProgram(own),
+                        fmt::format("{}/different-{}-{}.ngc", folder, seed, k)});
     }
+    for (int k = 0; k < 40; ++k) round(trials, folder, counts, ends);
+    for (const Trial& t : trials)
+      if (t.open) ++ends[Verdict::kSameRefusal];
   }
-  fmt::print("same {}, same refusal {}, different {}\n", found[Verdict::kSame], found[Verdict::kSameRefusal],
-             found[Verdict::kDifferent]);
-  return found[Verdict::kDifferent] == 0 ? 0 : 1;
+  fmt::print("programs as they end: ");
+  print(ends);
+  fmt::print("with the rounds before: ");
+  print(counts);
+  return counts[Verdict::kDifferent] == 0 ? 0 : 1;
+}
+
+int compareFiles(const std::string& folder, const std::vector<std::string>& files) {
+  const std::vector<PeerRun> theirs = runInterpreter(files, peerTools(), folder);
+  Counts counts;
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    std::string what;
+    const Verdict verdict = compare(theirs[k], runHere(files[k]), what);
+    ++counts[verdict];
+    fmt::print("{} {}: {}\n", verdict == Verdict::kDifferent ? "DIFFERENT" : "same", files[k], what);
+  }
+  print(counts);
+  return counts[Verdict::kDifferent] == 0 ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace proveout::peer
 
 int main(int argc, char** argv) {
-  const int count = argc > 1 ? std::atoi(argv[1]) : 200;
-  const std::uint64_t seed = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-  const std::string folder = argc > 3 ? argv[3] : "out/peer";
+  const std::vector<std::string> words(argv + 1, argv + argc);
   if (!proveout::peer::hasInterpreter()) {
-    fmt::print("rs274 (LinuxCNC) is not installed: nothing to compare with\n");
+    fmt::print("LinuxCNC (linuxcnc-uspace) is not installed: nothing to compare with\n");
     return 0;
   }
-  return proveout::peer::compareAll(count, seed, folder);
+  if (words.size() > 2 && words[0] == "--files")
+    return proveout::peer::compareFiles(words[1], {words.begin() + 2, words.end()});
+  const int count = !words.empty() ? std::atoi(words[0].c_str()) : 200;
+  const std::uint64_t seed = words.size() > 1 ? std::strtoull(words[1].c_str(), nullptr, 10) : 1;
+  const std::string folder = words.size() > 2 ? words[2] : "out/peer";
+  std::filesystem::create_directories(folder);
+  return proveout::peer::compareRandom(count, seed, folder);
 }

@@ -15,7 +15,7 @@ class Writer {
   explicit Writer(std::uint64_t seed) : random_(seed) {}
   Lines program() {
     lines_ = {"G21 G90 F100", "G0 X0 Y0 Z0"};
-    switch (upTo(4)) {
+    switch (upTo(5)) {
       case 0:
         motions();
         break;
@@ -27,6 +27,9 @@ class Writer {
         break;
       case 3:
         compensation();
+        break;
+      case 4:
+        mixture();
         break;
       default:
         threads();
@@ -56,7 +59,7 @@ class Writer {
     const char* const letters = plane == 17 ? "XYIJZ" : plane == 18 ? "ZXKIY" : "YZJKX";
     const double radius = real(1.0, 20.0), from = real(0.0, 6.28), to = real(0.0, 6.28);
     const double i = -radius * std::cos(from), j = -radius * std::sin(from);
-    std::string line = fmt::format("G{} G91 G{} {}{:.6f} {}{:.6f} {}{:.6f} {}{:.6f}", plane, 2 + upTo(1),
+    std::string line = fmt::format("G{} G91 G{} {}{:.9f} {}{:.9f} {}{:.9f} {}{:.9f}", plane, 2 + upTo(1),
                                    letters[0], radius * std::cos(to) + i, letters[1],
                                    radius * std::sin(to) + j, letters[2], i, letters[3], j);
     if (chance(0.3)) line += ' ' + word(letters[4], -5.0, 5.0);
@@ -108,6 +111,28 @@ class Writer {
       lines_.push_back(chance(0.45)   ? straight()
                        : chance(0.85) ? frame()
                                       : one({"G90", "G91", "F100", "G17"}));
+  }
+
+  /// Everything beside everything: what a line leaves behind meets all others.
+  void mixture() {
+    lines_.push_back("S200 M3");
+    for (int k = 0; k < 20; ++k) {
+      if (chance(0.3)) {
+        lines_.push_back(straight());
+      } else if (chance(0.25)) {
+        arc(17 + upTo(2), true);
+      } else if (chance(0.3)) {
+        lines_.push_back(frame());
+      } else if (chance(0.3)) {
+        lines_.push_back(cycle());
+      } else {
+        lines_.push_back(
+            one({"G90",       "G91",       "G17",        "G18",          "G19",    "G80",    "G98",
+                 "G99",       "G20",       "G21",        "G94 F100",     "G93",    "G95 F1", "M3",
+                 "M5",        "G7",        "G8",         "G90.1",        "G91.1",  "M70",    "M72",
+                 "G0 G53 Z0", axes("XYZ"), "G33 Z-5 K1", "G33.1 Z-5 K1", "G52 X1", "G92.1"}));
+      }
+    }
   }
 
   std::string cycle() {

@@ -108,6 +108,21 @@ bool planLcnFrame(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+namespace {
+
+/// A fault of the interpreter: it turns the place that it remembers without the shift.
+void lcnWarnOfTurn(IsoContext& c, const BlockPlan& plan, const LinuxCncFrames& change) {
+  if (change.id != plan.next.work_system || change.in_force.xyz.head<2>().isZero(0.0)) return;
+  const double before = c.registers.frames.system(change.id).angles_deg.z();
+  if (change.system.angles_deg.z() == before) return;
+  c.warnOnce("turn with shift", "turn-with-shift",
+             "the turn R of the work system in use changes while a shift of G92 or G52 is in force: the "
+             "interpreter of LinuxCNC 2.9 loses the place, so that axes which the next motion does not name "
+             "may move, too; here they stay: program G92.1 before it, or name X and Y behind it");
+}
+
+}  // namespace
+
 bool planLcnWorkOffset(IsoContext& c, BlockPlan& plan, bool by_place) {
   const char* const code = by_place ? "G10 L20" : "G10 L2";
   WorkSystemId id = 0;
@@ -119,6 +134,7 @@ bool planLcnWorkOffset(IsoContext& c, BlockPlan& plan, bool by_place) {
   if (const Word* r = c.ownWord(plan, 'R')) {
     if (by_place) return lcnFail(c, "data", "R not allowed in G10 L20", r);
     system.angles_deg.z() = r->value;
+    lcnWarnOfTurn(c, plan, change);
   }
   // Where the tool stands in the system, without G92 and with the system's zero at 0.
   AxisPoint place = c.machine;

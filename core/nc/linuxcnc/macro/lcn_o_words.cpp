@@ -101,12 +101,26 @@ LcnOWords::LcnOWords(const std::vector<std::string_view>& lines) {
   LcnLine line;
   LcnFault fault;
   for (std::size_t k = 0; k < lines.size(); ++k) {
-    if (!mayHaveOWord(lines[k]) || !takeLcnLine(lines[k], line, fault)) continue;
+    const bool may = mayHaveOWord(lines[k]);
+    if (!may && lines[k].size() <= kLongestLcnLine && lines[k].find('(') == std::string_view::npos) continue;
+    if (!takeLcnLine(lines[k], line, fault)) {
+      unreadable_.push_back({k, fault.name, fault.message});
+      continue;
+    }
+    if (!may) continue;
     const std::size_t at = behindNumber(line.text);
     LcnOWord word;
-    if (at < line.text.size() && line.text[at] == 'o' && takeLcnOWord(line.text, at + 1, word)) take(k, word);
+    if (at >= line.text.size() || line.text[at] != 'o' || !takeLcnOWord(line.text, at + 1, word)) continue;
+    if (word.keyword == LcnKeyword::kUnknown) unreadable_.push_back({k, "o-word", kUnknownLcnCommand});
+    take(k, word);
   }
   pair();
+}
+
+const LcnOWords::Unreadable* LcnOWords::unreadable(std::size_t from, std::size_t to) const {
+  const auto found = std::find_if(unreadable_.begin(), unreadable_.end(),
+                                  [&](const Unreadable& u) { return u.line >= from && u.line < to; });
+  return found == unreadable_.end() ? nullptr : &*found;
 }
 
 void LcnOWords::take(std::size_t line, const LcnOWord& word) {

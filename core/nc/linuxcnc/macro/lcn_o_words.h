@@ -31,6 +31,7 @@ enum class LcnKeyword : std::uint8_t {
   kContinue,
   kUnknown
 };
+inline constexpr const char* kUnknownLcnCommand = "Unknown control command in o word";
 std::string_view lcnKeywordName(LcnKeyword keyword);  ///< "endsub"
 
 /// An O-word line, taken apart as far as no values are needed.
@@ -65,6 +66,15 @@ class LcnOWords {
   };
   explicit LcnOWords(const std::vector<std::string_view>& lines);
 
+  /// A line that cannot be read even where the control passes over it on its way to a label.
+  struct Unreadable {
+    std::size_t line = 0;  ///< index
+    const char* name = nullptr;
+    std::string message;
+  };
+  /// The first one from line `from` up to `to`; null: there is none.
+  const Unreadable* unreadable(std::size_t from, std::size_t to) const;
+
   /// The statement on a line, or kNone.
   std::size_t on(std::size_t line) const;
   const Statement& at(std::size_t index) const { return statements_[index]; }
@@ -83,7 +93,8 @@ class LcnOWords {
   void pairBranch(std::size_t k);
   void pairLoop(std::size_t k);
 
-  std::vector<Statement> statements_;  ///< by line
+  std::vector<Statement> statements_;   ///< by line
+  std::vector<Unreadable> unreadable_;  ///< by line
   ByLabel subs_, labels_;
   // While the text is read.
   std::uint32_t scope_ = 0, scopes_ = 0;

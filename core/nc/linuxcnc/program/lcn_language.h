@@ -138,7 +138,9 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   Go returnNumbered(StatementFlow& flow);
   bool isReturn() const;
   bool findProgram(const std::string& label, bool sub, CallFrame& frame);
-  bool jumpBehind(const LcnOWords& words, std::size_t statement);
+  Go jumpBehind(const LcnOWords& words, std::size_t statement, StatementFlow& flow);
+  bool readsOver(const LcnOWords& words, std::size_t line);
+  bool evaluatesBranches(const LcnOWords& words, std::size_t index);
   LcnOWords& wordsOf(const SourceText& text);
 
   /// A program that a statement called.

@@ -67,7 +67,7 @@ Go LinuxCncLanguage::oWord(StatementFlow& flow) {
   const LcnOWords& words = wordsOf(*c_.calls.top().text);
   switch (o_word_->keyword) {
     case LcnKeyword::kUnknown:
-      return oWordFails(flow, "o-word", "Unknown control command in o word");
+      return oWordFails(flow, "o-word", kUnknownLcnCommand);
     case LcnKeyword::kLabel:
       return Go::kOn;
     case LcnKeyword::kCall:
@@ -102,13 +102,28 @@ Go LinuxCncLanguage::oWord(StatementFlow& flow) {
   }
 }
 
-/// Goes on behind a statement of the program in hand. False: it lies outside of it.
-bool LinuxCncLanguage::jumpBehind(const LcnOWords& words, std::size_t statement) {
+/// Goes on behind a statement of the program in hand, which is there (kNone: it is not) and further on. The
+/// control reads the lines on the way.
+Go LinuxCncLanguage::jumpBehind(const LcnOWords& words, std::size_t statement, StatementFlow& flow) {
   CallFrame& frame = c_.calls.top();
-  const std::size_t line = words.at(statement).line;
-  if (line < frame.first || line >= frame.end) return false;
+  const std::size_t here = c_.calls.lineIndex();
+  const std::size_t line = statement == LcnOWords::kNone ? frame.end : words.at(statement).line;
+  if (line < frame.first || line >= frame.end) {
+    const std::size_t own = words.on(here);
+    return seekingFails(flow, own == LcnOWords::kNone ? std::string() : words.at(own).label);
+  }
+  if (!readsOver(words, line)) return flow.failed(true);
   frame.next = line + 1;
-  return true;
+  return Go::kOn;
+}
+
+/// The control reads the lines from the one in hand up to `line`. False: reported.
+bool LinuxCncLanguage::readsOver(const LcnOWords& words, std::size_t line) {
+  const LcnOWords::Unreadable* u = words.unreadable(c_.calls.lineIndex() + 1, line);
+  return u == nullptr ||
+         c_.fail(u->name,
+                 fmt::format("line {}, which is passed over, cannot be read: {}", u->line + 1, u->message),
+                 line_.columnsOf(0, line_.text.size()));
 }
 
 /// A sub that the program comes upon is passed over.
@@ -120,8 +135,32 @@ Go LinuxCncLanguage::defineSub(const LcnOWords& words, std::size_t index, Statem
     return oWordFails(flow, "redefined",
                       fmt::format("redefining sub: o{} already defined in line {}", s.label, other.line + 1));
   }
-  if (s.partner == LcnOWords::kNone || !jumpBehind(words, s.partner)) return seekingFails(flow, s.label);
-  return Go::kOn;
+  return jumpBehind(words, s.partner, flow);
+}
+
+/// A branch was taken: the control takes the conditions behind it in hand all the same. False: fault_ says
+/// why.
+bool LinuxCncLanguage::evaluatesBranches(const LcnOWords& words, std::size_t index) {
+  const SourceText& text = *c_.calls.top().text;
+  for (std::size_t k = index; k != LcnOWords::kNone; k = words.at(k).partner) {
+    if (words.at(k).keyword != LcnKeyword::kElseIf) continue;
+    double value = 0.0;
+    LcnLine line = std::exchange(line_, {});
+    LcnOWord word;
+    LcnFault none;
+    // Read before, as every line with an O-word.
+    (void)takeLcnLine(text.lines()[words.at(k).line], line_, none);
+    (void)takeLcnOWord(line_.text, line_.text.find('o') + 1, word);
+    LcnEvaluator evaluator(line_.text, *this);
+    const bool good = condition(evaluator, word.behind, value);
+    line_ = std::move(line);
+    if (!good) {
+      fault_.begin = 0;
+      fault_.end = line_.text.size();
+      return false;
+    }
+  }
+  return true;
 }
 
 Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
@@ -151,10 +190,11 @@ Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, Statement
   // On to the next branch, or behind all of them.
   std::size_t next = s.partner;
   if (!asks) {
+    if (!evaluatesBranches(words, index)) return evaluationFails(flow);
     while (next != LcnOWords::kNone && words.at(next).keyword != LcnKeyword::kEndIf)
       next = words.at(next).partner;
   }
-  if (next == LcnOWords::kNone || !jumpBehind(words, next)) return seekingFails(flow, s.label);
+  if (const Go go = jumpBehind(words, next, flow); go != Go::kOn) return go;
   if (words.at(next).keyword == LcnKeyword::kElseIf) {
     c_.calls.top().next = words.at(next).line;
     seeking_ = true;
@@ -184,13 +224,13 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
       return Go::kOn;
     case LcnKeyword::kWhile:
       if (s.closes_do ? value == 0.0 : value != 0.0) return Go::kOn;
-      return jumpBehind(words, s.partner) ? Go::kOn : seekingFails(flow, s.label);
+      return jumpBehind(words, s.partner, flow);
     case LcnKeyword::kEndWhile:
       frame.next = words.at(s.partner).line;
       return Go::kOn;
     case LcnKeyword::kRepeat: {
       const auto rounds = static_cast<std::int64_t>(std::clamp(value, 0.0, 1e9));
-      if (rounds == 0) return jumpBehind(words, s.partner) ? Go::kOn : seekingFails(flow, s.label);
+      if (rounds == 0) return jumpBehind(words, s.partner, flow);
       std::erase_if(repeats_, [&](const Repeat& r) { return r.run == frame.run && r.line == s.line; });
       repeats_.push_back({frame.run, s.line, rounds});
       return Go::kOn;
@@ -224,8 +264,7 @@ Go LinuxCncLanguage::leaveLoop(const LcnOWords& words, std::size_t index, Statem
                                   lcnKeywordName(head.keyword), head.line + 1));
   }
   if (!lineEnds(o_word_->behind)) return evaluationFails(flow);
-  if (head.partner == LcnOWords::kNone || !jumpBehind(words, head.partner))
-    return seekingFails(flow, s.label);
+  if (const Go go = jumpBehind(words, head.partner, flow); go != Go::kOn) return go;
   if (s.keyword == LcnKeyword::kContinue)
     c_.calls.top().next = head.keyword == LcnKeyword::kWhile ? head.line : words.at(head.partner).line;
   return Go::kOn;
@@ -290,6 +329,8 @@ Go LinuxCncLanguage::callSub(StatementFlow& flow) {
   if (c_.calls.depth() >= kLcnLevels) return oWordFails(flow, "levels", "Too many subroutine levels");
   CallFrame frame;
   if (!findProgram(label, true, frame)) return seekingFails(flow, label);
+  if (frame.text == c_.calls.top().text && !readsOver(wordsOf(*frame.text), frame.first))
+    return flow.failed(true);
   flow.statementDone();
   variables_.enter(arguments);
   open_.push_back({true});

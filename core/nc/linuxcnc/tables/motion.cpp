@@ -98,7 +98,7 @@ constexpr auto kLinuxCncMotionTableG = std::to_array<GCode>({
     lcnMotion(721, "QDIR", planLcnRough, "lcn-4-G72", "rough along X, pockets left"),
     lcnMotion(722, "QDIR", planLcnRough, "lcn-4-G72", "rough along X, the pockets alone"),
     lcnMotion(730, "RQL", planLcnCycle, "lcn-3-G73 lcn-3-sticky lcn-3-L lcn-3-cycleerr", "drill, chip break"),
-    lcnMotion(740, "RPL", planLcnCycle, "lcn-3-G74", "left tapping"),
+    lcnMotion(740, "RP", planLcnCycle, "lcn-3-G74", "left tapping"),
     lcnMotion(760, "PIJKRQHEL", planLcnThreadCycle, "lcn-3-G76", "thread in several passes"),
     lcnMotion(800, {}, planLcnNothing, "lcn-3-G80", "no motion"),
     lcnMotion(810, "RL", planLcnCycle, "lcn-3-G81", "drill"),

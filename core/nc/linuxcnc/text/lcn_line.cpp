@@ -18,7 +18,7 @@ bool takeLcnLine(std::string_view line, LcnLine& out, LcnFault& fault) {
   out.comment = {};
   out.has_comment = false;
   if (line.size() > kLongestLcnLine) {
-    fault = {"long-line", "Command too long: a line has 253 characters at most", kLongestLcnLine,
+    fault = {"long-line", "Command too long: a line has 252 characters at most", kLongestLcnLine,
              line.size()};
     return false;
   }

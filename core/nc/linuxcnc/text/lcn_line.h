@@ -30,8 +30,8 @@ struct LcnLine {
   Columns columnsOf(std::size_t begin, std::size_t end) const;
 };
 
-/// Longest line, characters (LinuxCNC 2.9 takes 253).
-inline constexpr std::size_t kLongestLcnLine = 253;
+/// Longest line, characters (LinuxCNC 2.9 takes 252 and the end of the line).
+inline constexpr std::size_t kLongestLcnLine = 252;
 
 /// Takes a line apart. `out.comment` points into `line`. False: `fault` says why; its places are columns of
 /// the line itself, from 0.
