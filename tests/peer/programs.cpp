@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <sstream>
 
 namespace proveout::peer {
 namespace {
@@ -35,10 +36,22 @@ class Writer {
         threads();
     }
     lines_.push_back("M2");
-    return lines_;
+    return singleLines();
   }
 
  private:
+  Lines singleLines() const {
+    Lines all;
+    for (const std::string& entry : lines_) {
+      std::istringstream in(entry);
+      for (std::string line; std::getline(in, line);) all.push_back(line);
+    }
+    return all;
+  }
+  /// The module does not know where it is behind a tool change.
+  std::string toolChange() {
+    return fmt::format("T{} M6\nG90 G0 {} {} {}\nS200 M3", 1 + upTo(1), word('X'), word('Y'), word('Z'));
+  }
   int upTo(int most) { return std::uniform_int_distribution<int>(0, most)(random_); }
   bool chance(double p) { return std::uniform_real_distribution<double>(0.0, 1.0)(random_) < p; }
   double real(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
@@ -99,7 +112,8 @@ class Writer {
       case 5:
         return one({"G28", "G30", "G28 " + axes("XYZ"), "G30 " + axes("XYZ")});
       case 6:
-        return one({"T1 M6", "T2 M6", "G43", "G43 H1", "G43 H2", "G43.1 " + axes("XYZ"), "G43.2 H1", "G49"});
+        return one({toolChange(), toolChange(), "G43", "G43 H1", "G43 H2", "G43.1 " + axes("XYZ"), "G43.2 H1",
+                    "G49"});
       case 7:
         return fmt::format("G53 G{} {}", upTo(1), axes("XYZ"));
       default:

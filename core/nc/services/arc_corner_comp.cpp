@@ -24,6 +24,9 @@ double sweepTo(const Vec2& c, const Vec2& a, const Vec2& b, double sign) {
   return sign * part;
 }
 
+/// Is the tool on the outside of that arc?
+bool outside(const ArcCornerPiece& p, double offset) { return p.arc && p.sweep * offset < 0.0; }
+
 bool finite(const ArcCornerMove& m) {
   return m.to.allFinite() && m.center.allFinite() && std::isfinite(m.sweep) && std::isfinite(m.offset);
 }
@@ -129,8 +132,11 @@ ArcCornerFault ArcCornerComp::enter(const ArcCornerMove& move) {
   return ArcCornerFault::kNone;
 }
 
-/// Where the held motion and the next one, offset, meet; of two points the one nearer to the corner.
-bool ArcCornerComp::meeting(const ArcCornerPiece& next, const Vec2& direction, Vec2& at) const {
+/// Where the held motion and the next one, offset, meet. Of two points the one where the path leaves a circle
+/// that the tool is outside of, or comes to one that it is inside of; two circles cross there on the side
+/// that the next one turns to.
+bool ArcCornerComp::meeting(const ArcCornerPiece& next, const Vec2& direction, double offset,
+                            Vec2& at) const {
   const ArcCornerPiece& last = held_.piece;
   const auto curve = [](const ArcCornerPiece& p, const Vec2& d, const Vec2& end) {
     if (p.arc) return PlaneCurve{true, p.center, Vec2::UnitX(), (end - p.center).norm()};
@@ -138,13 +144,16 @@ bool ArcCornerComp::meeting(const ArcCornerPiece& next, const Vec2& direction, V
   };
   const Meeting found =
       meet(curve(last, held_.direction, flat(last.to)), curve(next, direction, flat(next.to)));
-  double least = 0.0;
-  for (std::size_t k = 0; k < found.count; ++k) {
-    const double distance = (found.points[k] - flat(programmed_)).norm();
-    if (k > 0 && distance >= least) continue;
-    least = distance;
-    at = found.points[k];
-  }
+  const auto far = [&](const Vec2& p) {
+    if (last.arc && next.arc) {
+      const double side = cross(next.center - last.center, p - last.center);
+      return (next.sweep > 0.0) == outside(last, offset) ? -side : side;
+    }
+    if (last.arc) return (outside(last, offset) ? 1.0 : -1.0) * direction.dot(p);
+    return (outside(next, offset) ? -1.0 : 1.0) * held_.direction.dot(p);
+  };
+  for (std::size_t k = 0; k < found.count; ++k)
+    if (k == 0 || far(found.points[k]) > far(at)) at = found.points[k];
   return found.count > 0;
 }
 
@@ -160,10 +169,12 @@ ArcCornerFault ArcCornerComp::corner(const Vec2& tangent, const ArcCornerPiece& 
   // The turn towards the tool's side is inside.
   double turn = angle(here - pivot, start - pivot) * (offset > 0.0 ? -1.0 : 1.0);
   if (turn < -(kPi - kSmallTurn)) turn += 2.0 * kPi;
-  if (turn < -kSmallTurn) {
+  // A way that turns back beside an arc stays on its side instead of going round the corner.
+  const bool back = turn > kPi - kSmallTurn && outside(next.arc ? next : held_.piece, offset);
+  if (turn < -kSmallTurn || back) {
     Vec2 at;
     if (!held_.any) return ArcCornerFault::kNone;
-    if (!meeting(next, next.arc ? Vec2::UnitX() : tangent, at)) return ArcCornerFault::kNoMeeting;
+    if (!meeting(next, next.arc ? Vec2::UnitX() : tangent, offset, at)) return ArcCornerFault::kNoMeeting;
     return moveEnd(at, out);
   }
   if (next.arc) {
@@ -210,6 +221,7 @@ ArcCornerFault ArcCornerComp::push(const ArcCornerMove& move, std::vector<ArcCor
     direction = sign * left(last.normalized());
     const Vec2 to = end + move.offset * left(direction);
     piece.center = move.center;
+    piece.sweep = move.sweep;
     piece.to = {to.x(), to.y(), move.to.z()};
   }
   const Vec2 square = from + move.offset * left(tangent);

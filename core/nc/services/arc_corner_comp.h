@@ -67,7 +67,7 @@ class ArcCornerComp {
   ArcCornerFault corner(const Vec2& tangent, const ArcCornerPiece& next, double offset,
                         std::vector<ArcCornerPiece>& out);
   ArcCornerFault moveEnd(const Vec2& to, std::vector<ArcCornerPiece>& out);
-  bool meeting(const ArcCornerPiece& next, const Vec2& direction, Vec2& at) const;
+  bool meeting(const ArcCornerPiece& next, const Vec2& direction, double offset, Vec2& at) const;
   void release(std::vector<ArcCornerPiece>& out);
   void hold(const ArcCornerPiece& piece, const Vec2& direction);
 

@@ -64,7 +64,7 @@ class LcnThreader {
               double rpm)
       : own_(own), words_(words), start_(start), at_(start), end_z_(end_z), rpm_(rpm) {
     out_ = words.peak < 0.0 ? 1.0 : -1.0;
-    along_ = end_z < start.xyz.z() ? -1.0 : 1.0;
+    along_ = end_z > start.xyz.z() ? 1.0 : -1.0;
   }
   void pass(double depth) {
     const double share = along_ * std::tan(degToRad(words_.angle_deg));

@@ -219,6 +219,7 @@ std::span<const TextSetting> linuxCncTexts() { return kLcnTexts; }
 LcnMachine readLcnMachine(const ControlSettings& settings) {
   LcnMachine out;
   out.ini = LcnIni(lcnText(settings, "ini"));
+  out.changes_with_spindle_on = out.ini.number("EMCIO", "TOOL_CHANGE_WITH_SPINDLE_ON").value_or(0.0) != 0.0;
   std::vector<std::string> faults;
   out.has_tools = settings.texts.contains("tool_table");
   out.tools = readLcnToolTable(lcnText(settings, "tool_table"), lcnScale(settings), faults);

@@ -29,6 +29,7 @@ struct LcnMachine {
   LcnIni ini;
   std::vector<LcnTool> tools;
   bool has_tools = false;                    ///< the job names a tool table
+  bool changes_with_spindle_on = false;      ///< M6 does not stop the spindle
   std::vector<std::pair<int, double>> kept;  ///< of the .var file, machine units
   std::map<std::string, LcnRemap> remaps;    ///< by code: "M6", "G84.2"
   std::map<std::string, double> inputs;      ///< answers of M66: "P0", "E1"

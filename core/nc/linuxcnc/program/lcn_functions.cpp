@@ -9,6 +9,7 @@
 #include "core/nc/iso/context/sends.h"
 #include "core/nc/iso/spindle/spindle.h"
 #include "core/nc/iso/tools/tools.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 
@@ -56,6 +57,7 @@ bool LinuxCncLanguage::functions(StatementFlow& flow) {
     if (w.address != 'M') continue;
     if (w.value == 8.0) run_.flood = true;
     if (w.value == 9.0) run_.flood = run_.mist = false;
+    if (w.value == 6.0 && !stopAtChange()) return false;
   }
   taken_ = {};
   std::vector<Word> own;
@@ -95,6 +97,15 @@ void LinuxCncLanguage::dropWords(const std::vector<Word>& own) {
   std::erase_if(block.words, done);
   block.present = {};
   for (const Word& w : block.words) block.present.add(w.address);
+}
+
+/// M6 stops the spindle, unless the INI file says otherwise; what M3 says in the line comes behind it.
+bool LinuxCncLanguage::stopAtChange() {
+  const LinuxCncFlavour flavour = linuxCncFlavour(c_);
+  const bool stops = flavour == LinuxCncFlavour::kLinuxCnc || flavour == LinuxCncFlavour::kPathPilot;
+  if (!stops || machine_.changes_with_spindle_on || c_.state.spindle_direction == 0 || c_.state.compOn())
+    return true;
+  return c_.flushPipe() && turnMain(c_, 0, c_.state.spindle_rpm);
 }
 
 /// `$`: the job has one spindle, $0; -1 means all of them.

@@ -180,8 +180,9 @@ void LinuxCncLanguage::left(const CallFrame& /*frame*/) {
 std::uint64_t LinuxCncLanguage::fingerprint() const {
   std::uint64_t repeats = 0;
   for (const Repeat& r : repeats_) repeats = repeats * 31 + static_cast<std::uint64_t>(r.left);
-  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0) +
-         (contour_ ? contour_->done ? 3 : 2 : 0);
+  const int contour = contour_ ? contour_->done ? 3 : 2 : 0;
+  return variables_.fingerprint() + mixBits(repeats + 1) + (seeking_ ? 1 : 0) + (break_left_ ? 4 : 0) +
+         (continue_left_ ? 8 : 0) + static_cast<std::uint64_t>(contour) * 16;
 }
 
 }  // namespace proveout::nc

@@ -86,6 +86,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   void dropWords(const std::vector<Word>& own);
   bool functionFails(const Word& m, const char* name, std::string message);
   bool spindleNumber();
+  bool stopAtChange();
   bool override(const Word& m);
   bool output(const Word& m);
   bool input(const Word& m);
@@ -130,6 +131,9 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   bool lineEnds(std::size_t pos);
   Go branch(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   Go loop(const LcnOWords& words, std::size_t index, StatementFlow& flow);
+  Go endDo(const LcnOWords& words, std::size_t index, bool again, StatementFlow& flow);
+  Go endRepeat(std::size_t head);
+  void tellLeftOver(const char* what, const char* effect);
   Go leaveLoop(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   Go defineSub(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   Go returnValue(StatementFlow& flow);
@@ -181,6 +185,10 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   std::deque<std::string> own_lines_;  ///< that run now and stand in no program
   bool started_ = false;
   bool seeking_ = false;  ///< the branch in hand is one that a false condition led to
+  bool leaves_do_ = false;
+  // What LinuxCNC 2.9 forgets to take back: a break out of a while that the end of the next do takes for its
+  // own, a continue of a do that the end of the next while or repeat takes for its own.
+  bool break_left_ = false, continue_left_ = false;
 
   // Of the line in hand.
   LcnLine line_;

@@ -223,13 +223,16 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
     case LcnKeyword::kDo:
       return Go::kOn;
     case LcnKeyword::kWhile:
-      if (s.closes_do ? value == 0.0 : value != 0.0) return Go::kOn;
+      if (s.closes_do) return endDo(words, index, value != 0.0, flow);
+      if (value != 0.0) return Go::kOn;
+      continue_left_ = false;  // the condition would be asked once more, and is false again
       return jumpBehind(words, s.partner, flow);
     case LcnKeyword::kEndWhile:
       frame.next = words.at(s.partner).line;
       return Go::kOn;
     case LcnKeyword::kRepeat: {
       const auto rounds = static_cast<std::int64_t>(std::clamp(value, 0.0, 1e9));
+      if (rounds == 0) continue_left_ = false;  // likewise
       if (rounds == 0) return jumpBehind(words, s.partner, flow);
       std::erase_if(repeats_, [&](const Repeat& r) { return r.run == frame.run && r.line == s.line; });
       repeats_.push_back({frame.run, s.line, rounds});
@@ -238,7 +241,12 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
     default:
       break;
   }
-  const std::size_t head = words.at(s.partner).line;  // endrepeat
+  return endRepeat(words.at(s.partner).line);
+}
+
+/// `head`: the line of the repeat.
+Go LinuxCncLanguage::endRepeat(std::size_t head) {
+  CallFrame& frame = c_.calls.top();
   const auto found = std::find_if(repeats_.begin(), repeats_.end(),
                                   [&](const Repeat& r) { return r.run == frame.run && r.line == head; });
   if (found == repeats_.end()) return Go::kOn;
@@ -246,10 +254,29 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
                           found->left > 1);
   if (--found->left > 0) {
     frame.next = head + 1;
-  } else {
-    repeats_.erase(found);
+    return Go::kOn;
+  }
+  repeats_.erase(found);
+  if (std::exchange(continue_left_, false)) {
+    tellLeftOver("continue", "this repeat runs all its rounds once more");
+    frame.next = head;
   }
   return Go::kOn;
+}
+
+/// The while that ends a do; `again`: its condition holds.
+Go LinuxCncLanguage::endDo(const LcnOWords& words, std::size_t index, bool again, StatementFlow& flow) {
+  const bool own = std::exchange(leaves_do_, false), left = std::exchange(break_left_, false);
+  if (again && left && !own) tellLeftOver("break", "this do ends though its condition holds");
+  return again && !own && !left ? jumpBehind(words, words.at(index).partner, flow) : Go::kOn;
+}
+
+void LinuxCncLanguage::tellLeftOver(const char* what, const char* effect) {
+  c_.warnOnce(fmt::format("left over {} {}", what, c_.calls.lineIndex()), "left-over",
+              fmt::format("LinuxCNC 2.9 has not forgotten a {} of a loop before: {}, as it does there; "
+                          "program the loop before without it",
+                          what, effect),
+              line_.columnsOf(0, line_.text.size()));
 }
 
 /// break and continue.
@@ -265,8 +292,20 @@ Go LinuxCncLanguage::leaveLoop(const LcnOWords& words, std::size_t index, Statem
   }
   if (!lineEnds(o_word_->behind)) return evaluationFails(flow);
   if (const Go go = jumpBehind(words, head.partner, flow); go != Go::kOn) return go;
-  if (s.keyword == LcnKeyword::kContinue)
-    c_.calls.top().next = head.keyword == LcnKeyword::kWhile ? head.line : words.at(head.partner).line;
+  std::size_t& next = c_.calls.top().next;
+  const bool ends = s.keyword == LcnKeyword::kBreak, of_do = head.keyword == LcnKeyword::kDo;
+  if (of_do) {  // on to its while, which asks
+    next = words.at(head.partner).line;
+    (ends ? leaves_do_ : continue_left_) = true;
+  } else if (ends) {
+    break_left_ = true;
+    if (std::exchange(continue_left_, false)) {
+      tellLeftOver("continue", "this break does not leave the loop");
+      next = head.line;
+    }
+  } else {
+    next = head.line;
+  }
   return Go::kOn;
 }
 
