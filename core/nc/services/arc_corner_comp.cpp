@@ -177,7 +177,7 @@ ArcCornerFault ArcCornerComp::corner(const Vec2& tangent, const ArcCornerPiece& 
     if (!meeting(next, next.arc ? Vec2::UnitX() : tangent, offset, at)) return ArcCornerFault::kNoMeeting;
     return moveEnd(at, out);
   }
-  if (next.arc) {
+  if (next.arc || turn <= kSmallTurn) {
     release(out);
   } else if (const auto fault = flush(out); fault != ArcCornerFault::kNone) {
     return fault;

@@ -89,9 +89,7 @@ bool planLcnThread(IsoContext& c, BlockPlan& plan) {
   if (!lcnSynchronous(c, plan, "g33", lead) || !lcnTarget(c, plan, plan.motion.target)) return false;
   plan.perform = performLinuxCncSteps;
   plan.motion.feed.join = joinOf(plan);
-  if (!lcnSpindleTurns(c, plan))
-    c.warnOnce("g33 spindle", "spindle-stopped",
-               "G33 waits for the spindle, and it stands still: program M3 before");
+  if (!lcnSpindleTurns(c, plan)) return lcnFail(c, "spindle-stopped", "Spindle not turning in G33");
   linuxCncChannel(c).steps.push_back(
       {.kind = LinuxCncStep::Kind::kThread, .to = plan.motion.target, .value = lead * lcnThreadRpm(c, plan)});
   plan.next.axes.thread_lead = lead;

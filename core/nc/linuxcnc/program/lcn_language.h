@@ -130,12 +130,14 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   bool condition(LcnEvaluator& evaluator, std::size_t& pos, double& value);
   bool lineEnds(std::size_t pos);
   Go branch(const LcnOWords& words, std::size_t index, StatementFlow& flow);
+  void missingEnd(const LcnOWords::Statement& s, const char* end);
   Go loop(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   Go endDo(const LcnOWords& words, std::size_t index, bool again, StatementFlow& flow);
   Go endRepeat(std::size_t head);
   void tellLeftOver(const char* what, const char* effect);
   Go leaveLoop(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   Go defineSub(const LcnOWords& words, std::size_t index, StatementFlow& flow);
+  void valueOfDefinition(std::size_t line);
   Go returnValue(StatementFlow& flow);
   Go callSub(StatementFlow& flow);
   Go callNumbered(StatementFlow& flow);

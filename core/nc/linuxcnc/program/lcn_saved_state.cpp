@@ -75,7 +75,8 @@ std::string LinuxCncLanguage::restoringCodes(const IsoState& was) const {
 /// The numbers and functions that have changed, by the units and modes that are in force again.
 std::string LinuxCncLanguage::restoringWords(const Saved& saved) const {
   const IsoState &was = saved.state, &is = c_.state;
-  std::string words = fmt::format("F{:.9g} ", was.feed);
+  // Only what differs: a feed mode that comes back takes an F that was the same along.
+  std::string words = was.feed != is.feed ? fmt::format("F{:.9g} ", was.feed) : std::string();
   if (was.active[kGroupSurfaceSpeed] == gcode::kSurfaceSpeed) {
     words += fmt::format("G96 S{:.9g} ", was.surface_speed);
     if (was.speed_limit > 0.0) words += fmt::format("D{:.9g} ", was.speed_limit);
@@ -91,7 +92,8 @@ std::string LinuxCncLanguage::restoringWords(const Saved& saved) const {
 bool LinuxCncLanguage::restore(const Saved& saved, StatementFlow& flow) {
   const IsoState was = saved.state;
   const double scale = was.unitScale();
-  if (!runLine(restoringCodes(was), flow) || !runLine(restoringWords(saved), flow)) return false;
+  const std::string codes = restoringCodes(was), restored = restoringWords(saved);
+  if (!runLine(codes, flow) || !runLine(restored, flow)) return false;
   for (const auto& [wanted, is, code] :
        {std::tuple{saved.mist, run_.mist, "M7"}, std::tuple{saved.flood, run_.flood, "M8"}}) {
     if (wanted && !is && !runLine(code, flow)) return false;

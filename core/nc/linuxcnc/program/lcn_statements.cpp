@@ -135,7 +135,24 @@ Go LinuxCncLanguage::defineSub(const LcnOWords& words, std::size_t index, Statem
     return oWordFails(flow, "redefined",
                       fmt::format("redefining sub: o{} already defined in line {}", s.label, other.line + 1));
   }
-  return jumpBehind(words, s.partner, flow);
+  const Go go = jumpBehind(words, s.partner, flow);
+  if (go == Go::kOn) valueOfDefinition(words.at(s.partner).line);
+  return go;
+}
+
+/// The control reads the value behind endsub where it passes over a definition, too: #<_value> has it until a
+/// call ends; names that are not there yet count 0.
+void LinuxCncLanguage::valueOfDefinition(std::size_t line) {
+  LcnLine end;
+  LcnFault none;
+  LcnOWord word;
+  if (!takeLcnLine(c_.calls.top().text->lines()[line], end, none)) return;
+  if (!takeLcnOWord(end.text, end.text.find('o') + 1, word)) return;
+  if (word.behind >= end.text.size() || end.text[word.behind] != '[') return;
+  LcnEvaluator evaluator(end.text, *this);
+  Value value;
+  run_.value = evaluator.bracket(word.behind, value) ? value.number : 0.0;
+  run_.value_returned = true;
 }
 
 /// A branch was taken: the control takes the conditions behind it in hand all the same. False: fault_ says
@@ -179,11 +196,7 @@ Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, Statement
     if (!condition(evaluator, pos, value)) return evaluationFails(flow);
     c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
     if (value != 0.0) {
-      if (s.partner == LcnOWords::kNone) {
-        c_.warnOnce(fmt::format("open {} {}", c_.calls.top().file, s.line), "missing-endif",
-                    fmt::format("o{} endif is missing: the control does not see it while the condition holds",
-                                s.label));
-      }
+      if (s.partner == LcnOWords::kNone) missingEnd(s, "endif");
       return Go::kOn;
     }
   }
@@ -202,15 +215,18 @@ Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, Statement
   return Go::kOn;
 }
 
+void LinuxCncLanguage::missingEnd(const LcnOWords::Statement& s, const char* end) {
+  c_.warnOnce(
+      fmt::format("open {} {}", c_.calls.top().file, s.line), "missing-" + std::string(end),
+      fmt::format("o{} {} is missing: the control does not see it while the condition holds", s.label, end));
+}
+
 Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
   const LcnOWords::Statement& s = words.at(index);
   const LcnKeyword keyword = s.keyword;
   const bool ends = keyword == LcnKeyword::kEndWhile || keyword == LcnKeyword::kEndRepeat;
-  if (s.partner == LcnOWords::kNone) {
-    if (ends)
-      return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
-    return seekingFails(flow, s.label);
-  }
+  if (s.partner == LcnOWords::kNone && ends)
+    return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
   CallFrame& frame = c_.calls.top();
   std::size_t pos = o_word_->behind;
   const bool asks = keyword == LcnKeyword::kWhile || keyword == LcnKeyword::kRepeat;
@@ -219,6 +235,12 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
   if (asks ? !condition(evaluator, pos, value) : !lineEnds(pos)) return evaluationFails(flow);
   if (keyword == LcnKeyword::kWhile)
     c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
+  if (s.partner == LcnOWords::kNone && (keyword == LcnKeyword::kDo || value >= 0.5)) {
+    missingEnd(s, keyword == LcnKeyword::kDo      ? "while"
+                  : keyword == LcnKeyword::kWhile ? "endwhile"
+                                                  : "endrepeat");
+    return Go::kOn;
+  }
   switch (keyword) {
     case LcnKeyword::kDo:
       return Go::kOn;

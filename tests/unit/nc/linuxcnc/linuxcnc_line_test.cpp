@@ -12,7 +12,11 @@ TEST(LinuxCncLine, BlanksAndCaseMeanNothing) {
   EXPECT_EQ(lcn("%\nG 0 x 1\tY 2 . 5\nm2\n%\n").motions(), (Lines{"R 1 2.5 0"}));
   const std::string blanks(300, ' ');
   EXPECT_EQ(lcn("G0 X1" + blanks + "\nM2\n").error(), "linuxcnc-long-line");
-  EXPECT_EQ(lcn("G0 X1" + std::string(248, ' ') + "\nM2\n").error(), "");
+  EXPECT_EQ(lcn("G0 X1" + std::string(248, ' ') + "\nM2\n").error(), "linuxcnc-long-line");
+  EXPECT_EQ(lcn("G0 X1" + std::string(247, ' ') + "\nM2\n").error(), "");
+  EXPECT_EQ(lcn("o1 if [0]\n(" + std::string(260, 'x') + ")\no1 endif\nM2\n").error(), "linuxcnc-long-line");
+  EXPECT_EQ(lcn("o1 if [0]\n(open\no1 endif\nM2\n").error(), "linuxcnc-open-comment");
+  EXPECT_EQ(lcn("o1 if [0]\no2 iff [1]\no1 endif\nM2\n").error(), "linuxcnc-o-word");
 }
 
 // lcn-2-line

@@ -41,7 +41,7 @@ TEST(LinuxCncOWords, BranchesAndLoops) {
        "endif\n",
        {"b"}},
       {"o1 if [0]\n(debug,a)\no1 elseif [0]\n(debug,b)\no1 else\n(debug,d)\no1 endif\n", {"d"}},
-      {"o1 if [2]\n(debug,a)\no1 elseif [1/0]\n(debug,b)\no1 else\n(debug,d)\no1 endif\n", {"a"}},
+      {"o1 if [2]\n(debug,a)\no1 elseif [1]\n(debug,b)\no1 else\n(debug,d)\no1 endif\n", {"a"}},
       {"o1 while [#1 lt 3]\n#1=[#1+1]\no2 if [#1 eq 2]\no1 continue\no2 endif\n(debug,#1)\no1 "
        "endwhile\n(debug,e)\n",
        {"1.000000", "3.000000", "e"}},
@@ -64,6 +64,26 @@ TEST(LinuxCncOWords, BranchesAndLoops) {
     EXPECT_EQ(told(run), lines) << text << run.message();
     EXPECT_EQ(run.error(), "") << text << run.message();
   }
+}
+
+// lcn-2-o: the control takes the conditions behind a branch that was taken in hand all the same.
+TEST(LinuxCncOWords, ConditionsBehindATakenBranchAreEvaluated) {
+  const IsoRun run = lcn("o1 if [2]\nG0 X1\no1 elseif [1/0]\nG0 X2\no1 endif\nM2\n");
+  EXPECT_EQ(run.error(), "linuxcnc-divide-by-zero");
+  EXPECT_EQ(run.motions(), (Lines{"R 1 0 0"}));
+}
+
+// lcn-2-o: what LinuxCNC 2.9 does not forget, by its interpreter.
+TEST(LinuxCncOWords, BreaksAndContinuesAreLeftOver) {
+  const IsoRun once =
+      lcn("o1 do\n#1=[#1+1]\nG0 X#1\no2 while [1]\no2 break\no2 endwhile\no1 while [#1 LT 3]\nM2\n");
+  EXPECT_EQ(once.motions(), (Lines{"R 1 0 0"}));
+  EXPECT_TRUE(once.tells("linuxcnc-left-over"));
+  const IsoRun twice =
+      lcn("o1 do\n#1=[#1+1]\no1 continue\no1 while [#1 LT 2]\no2 repeat [2]\n#2=[#2+1]\nG0 X#2\n"
+          "o2 endrepeat\nM2\n");
+  EXPECT_EQ(twice.motions(), (Lines{"R 1 0 0", "R 2 0 0", "R 3 0 0", "R 4 0 0"}));
+  EXPECT_TRUE(twice.tells("linuxcnc-left-over"));
 }
 
 // lcn-2-oerr
