@@ -24,7 +24,7 @@ const AlarmTable& fanucAlarms() {
           {SharedAlarm::kCircleRadius, 20, {}, "over tolerance of radius"},
           {SharedAlarm::kCircle, 22, {}, "no radius and no centre of an arc"},
           {SharedAlarm::kCircleCentre, 21, {}, "illegal plane axis commanded"},
-          {SharedAlarm::kNoNumber, 5, {}, "no number behind the address {}"},
+          {SharedAlarm::kNumberMissing, 5, {}, "no number behind the address {}"},
           {SharedAlarm::kSign, 6, {}, "illegal use of a sign at {}"},
           {SharedAlarm::kPoint, 7, {}, "illegal use of a decimal point at {}"},
           {SharedAlarm::kCharacter, 9, {}, "illegal NC address: {} does not start a word"},

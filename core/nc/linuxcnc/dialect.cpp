@@ -37,6 +37,7 @@ const IsoDialect& linuxCncDialect(const std::map<std::string, double>& /*setting
       .layout = ProgramLayout::kOneInAFile,
       .maker_data = makeLinuxCncChannel,
       .plan = planLinuxCncBlock,
+      .end_state = endStateOfLinuxCnc,
       .power_on = powerOnLinuxCnc,
       .language = linuxCncLanguage,
   };

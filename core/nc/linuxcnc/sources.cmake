@@ -12,6 +12,7 @@ target_sources(proveout_core PRIVATE
   nc/linuxcnc/macro/lcn_variables.cpp
   nc/linuxcnc/program/lcn_comments.cpp
   nc/linuxcnc/program/lcn_contour.cpp
+  nc/linuxcnc/program/lcn_end.cpp
   nc/linuxcnc/program/lcn_functions.cpp
   nc/linuxcnc/program/lcn_kept.cpp
   nc/linuxcnc/program/lcn_language.cpp

@@ -32,7 +32,7 @@ constexpr auto kUsual = std::to_array<AlarmTable::Row>({
     {SharedAlarm::kCircleRadius, 0, "circle-radius", "circle radius difference error"},
     {SharedAlarm::kCorner, 0, "corner", "illegal chamfer or rounding"},
     {SharedAlarm::kCornerTooLarge, 0, "corner-too-large", "chamfer or rounding too large"},
-    {SharedAlarm::kNoNumber, 0, "no-number", "{} has no value"},
+    {SharedAlarm::kNumberMissing, 0, "no-number", "{} has no value"},
     {SharedAlarm::kSign, 0, "sign", "misplaced sign at {}"},
     {SharedAlarm::kPoint, 0, "point", "misplaced decimal point at {}"},
     {SharedAlarm::kCharacter, 0, "character", "{} does not start a word"},

@@ -37,7 +37,7 @@ enum class SharedAlarm : std::uint8_t {
   kCircleRadius,      ///< the end is not on the circle
   kCorner,            ///< chamfer or rounding where none may stand
   kCornerTooLarge,    ///< chamfer or rounding that does not fit
-  kNoNumber,          ///< subject: an address without digits
+  kNumberMissing,     ///< subject: an address without digits
   kSign,              ///< subject: an address with a sign where none may stand
   kPoint,             ///< subject: an address with a decimal point where none may stand
   kCharacter,         ///< subject: what starts no word

@@ -358,7 +358,7 @@ bool Lexer::noWord(std::string_view line, std::size_t value) {
   }
   const std::string what =
       fmt::format("{} is no word: a word is a letter with a number, text stands in ( )", name);
-  if (rules_.number_alarms) return fail(SharedAlarm::kNoNumber, name.substr(0, 1), what, begin, end);
+  if (rules_.number_alarms) return fail(SharedAlarm::kNumberMissing, name.substr(0, 1), what, begin, end);
   return syntax(what, begin, end);
 }
 
@@ -452,7 +452,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   }
   if (digits == 0) {
     const bool sign = i > begin && i < line.size() && (line[i] == '-' || line[i] == '+');
-    return failNumber(sign ? SharedAlarm::kSign : SharedAlarm::kNoNumber, SharedAlarm::kSyntax, name,
+    return failNumber(sign ? SharedAlarm::kSign : SharedAlarm::kNumberMissing, SharedAlarm::kSyntax, name,
                       fmt::format("{} has no value", name), begin, std::max(i, begin + 1));
   }
   if (rules_.number_alarms && i < line.size() && (line[i] == '-' || line[i] == '+'))

@@ -134,6 +134,9 @@ struct IsoDialect {
   bool (*unknown_m)(IsoContext&, const Word&, int number) = nullptr;
   /// Shifts of G52 and G92 at the end of a program. Null: they are 0.
   void (*end_shifts)(IsoContext&) = nullptr;
+  /// Sets back what the end of a program sets back, with the state of power-on at hand, in place of the groups
+  /// that nct resets. Null: as nct does.
+  void (*end_state)(IsoContext&, const IsoState& fresh) = nullptr;
   /// The channel stands at power-on, its first program is about to be read. Null: nothing is to be done.
   void (*begin)(IsoContext&) = nullptr;
   /// What stands otherwise in the state of power-on, which is nct's. Null: nothing.

@@ -105,6 +105,14 @@ void powerOn(IsoContext& c) {
 void resetAtEnd(IsoContext& c) {
   const IsoState fresh = powerOnState(c);
   IsoState& s = c.state;
+  if (c.dialect.end_state != nullptr) {
+    c.dialect.end_state(c, fresh);
+    c.pipe.clear();
+    c.map = programMap(s.transforms, c.axes);
+    c.chain = c.chainOf(s);
+    c.settle(c.standing());
+    return;
+  }
   for (std::size_t group = 1; group < kGroupCount; ++group) {
     if (keeps(c, group)) continue;
     if (group == kGroupMacro) c.modals.clear();

@@ -14,6 +14,9 @@ bool planLinuxCncBlock(IsoContext& c, BlockPlan& plan);
 /// The state of power-on where it is not that of the family.
 void powerOnLinuxCnc(const IsoContext& c, IsoState& state);
 
+/// M2, M30: G54 G17 G90 G94 G40 M5 M9 G1 and no feed; all else stays, the shift of G92 and the tool offset too.
+void endStateOfLinuxCnc(IsoContext& c, const IsoState& fresh);
+
 /// An error by the interpreter's own text; `name` stands behind "linuxcnc-". Always false.
 bool lcnFail(IsoContext& c, const char* name, std::string message, const Word* at = nullptr);
 

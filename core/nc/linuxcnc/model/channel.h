@@ -121,6 +121,8 @@ class LinuxCncChannel final : public MakerData {
   bool shift_on = false;                        ///< #5210
   AxisPoint probe_at;                           ///< of the last probing move, program coordinates: #5061 ..
   bool probe_met = false;                       ///< #5070
+  std::optional<Vec3> probe_way;                ///< of the last probing move if it met, workpiece frame, unit
+  AxisPoint probe_end;                          ///< where it ended, machine
   std::map<int, std::array<double, 2>> angles;  ///< front and back angle by tool, degrees
   LinuxCncCompStage comp;
 };

@@ -43,6 +43,9 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   std::uint64_t fingerprint() const override;
 
   LcnVariables& variables() { return variables_; }
+  /// Mist and coolant are off.
+  void programEnds() { run_.mist = run_.flood = false; }
+  bool coolant() const { return run_.mist || run_.flood; }
 
  private:
   // LcnNames
@@ -169,7 +172,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
     Block block;                      ///< its words
     double unit = 1.0, x_unit = 1.0;  ///< mm of Z and X in its lines
     bool steps = false;               ///< G91
-    std::vector<LinuxCncContourLine> lines;
+    std::vector<LinuxCncContourLine> lines = {};
     bool done = false;  ///< the sub has returned
   };
 
