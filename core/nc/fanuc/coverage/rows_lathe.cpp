@@ -51,7 +51,7 @@ constexpr auto kFanucLatheRowsList = std::to_array<CoverageIdRow>({
     {"fan-17-abc", "SIM", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
     {"fan-17-nokin", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_five_axis_test.cpp"},
     {"fan-19-place", "REJECT", "done", "tests/unit/nc/fanuc/fanuc_basic_test.cpp"},
-    {"fan-20-rs274", "HOST", "missing", ""},
+    {"fan-20-rs274", "HOST", "done", "tests/unit/nc/fanuc/fanuc_rs274_test.cpp"},
 });
 // clang-format on
 
