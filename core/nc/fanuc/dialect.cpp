@@ -50,6 +50,7 @@ IsoDialect dialectOf(std::string_view name, const CodeIndex& codes) {
   rules.holds_length = true;
   rules.scales_centres = true;
   rules.local_shift_absolute = true;
+  rules.dynamic_zero_off = true;
   rules.extended_systems = 300;
   IsoDialect dialect{
       .name = name,

@@ -74,6 +74,16 @@ void noteUnits(IsoContext& c, const BlockPlan& plan) {
       {}, Severity::kNote);
 }
 
+void noteFixture(IsoContext& c, const BlockPlan& plan) {
+  const GCode* code = plan.by_group[kGroupWorkSystem];
+  if (code == nullptr || code->code10 != gcode::kDynamicZero || plan.next.five.dynamic_zero == 0) return;
+  c.warnOnce(
+      "G54.2", "fixture-offset",
+      "the row of G54.2 (G10 L21) is the zero itself here, in machine coordinates, in place of G54; some "
+      "controls add it to the work frame in force",
+      {}, Severity::kNote);
+}
+
 /// A length offset that G28, G30 or G53 has ended is there again with the next motion of the axis.
 void noteLength(IsoContext& c, const BlockPlan& plan) {
   FanucData& data = fanucData(c);
@@ -101,6 +111,7 @@ bool planFanuc(IsoContext& c, BlockPlan& plan) {
   if (!planBlock(c, plan) || !checkOpenCurve(c, plan)) return false;
   noteUnits(c, plan);
   noteDefaults(c, plan);
+  noteFixture(c, plan);
   noteLength(c, plan);
   return true;
 }

@@ -1,10 +1,10 @@
 // What Fanuc-like controls keep from block to block beside the state of the family.
 #pragma once
 
+#include <array>
 #include <bitset>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "core/machine/axis_point.h"
@@ -32,7 +32,7 @@ struct FanucData : MakerData {
   AxisPoint via;      ///< intermediate point of the last G28 or G30, machine coordinates
   AxisSet no_length;  ///< axes whose length offset G28, G30 or G53 has ended (section 5)
   CurveInput curve;
-  std::optional<std::pair<int, int>> plane_before;  ///< axes of the plane when G12.1 or G07.1 began
+  std::optional<std::array<int, 3>> plane_before;  ///< axes of the plane when G12.1 or G07.1 began: u, v, w
   std::bitset<kGroupCount> programmed;              ///< groups that the program has told a code of
   std::bitset<kGroupCount> noted;                   ///< groups whose code of power-on a note has told of
   bool decimal_noted = false;                       ///< a note has told of numbers without a point

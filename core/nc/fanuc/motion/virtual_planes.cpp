@@ -26,22 +26,25 @@ bool planeHasRotary(const IsoContext& c, const AxisModal& modal) {
   return c.axes.at(modal.plane_u).rotary() != c.axes.at(modal.plane_v).rotary();
 }
 
-void choosePlane(AxisModal& modal, int u, int v) {
+/// `w`: the axis across the plane.
+void choosePlane(AxisModal& modal, int u, int v, int w) {
   modal.plane_u = static_cast<std::int8_t>(u);
   modal.plane_v = static_cast<std::int8_t>(v);
+  modal.plane_w = static_cast<std::int8_t>(w);
 }
 
 /// The plane from before the mode is there again behind it.
 void restorePlane(IsoContext& c, BlockPlan& plan) {
   const FanucData& data = fanucData(c);
   if (plan.next.axes.mode != VirtualMode::kOff || !data.plane_before) return;
-  choosePlane(plan.next.axes, data.plane_before->first, data.plane_before->second);
+  const auto& [u, v, w] = *data.plane_before;
+  choosePlane(plan.next.axes, u, v, w);
 }
 
 void keepPlane(IsoContext& c) {
   const AxisModal& modal = c.state.axes;
   if (modal.mode == VirtualMode::kOff)
-    fanucData(c).plane_before.emplace(static_cast<int>(modal.plane_u), static_cast<int>(modal.plane_v));
+    fanucData(c).plane_before = {modal.plane_u, modal.plane_v, modal.plane_w};
 }
 
 }  // namespace
@@ -53,7 +56,7 @@ bool planFanucPolarOn(IsoContext& c, BlockPlan& plan) {
     return c.fail("145",
                   "illegal conditions in polar coordinate interpolation: G12.1 stands alone in its block");
   if (modal.mode == VirtualMode::kOff && !planeHasRotary(c, modal) && rotary >= 0)
-    choosePlane(modal, 0, rotary);
+    choosePlane(modal, 0, rotary, 2);
   if (!planPolarOn(c, plan)) return false;
   keepPlane(c);
   return true;
@@ -75,13 +78,16 @@ bool planFanucCylinder(IsoContext& c, BlockPlan& plan) {
   const auto word = std::find_if(c.block.words.begin(), c.block.words.end(), [&](const Word& w) {
     return w.axis >= kMainAxes && c.axes.at(w.axis).rotary();
   });
-  if (!was_on && !planeHasRotary(c, modal) && word != c.block.words.end()) {
+  if (word == c.block.words.end())
+    return c.fail("175", "illegal G07.1 axis: it takes a rotary axis with the radius of the cylinder");
+  if (!was_on && !planeHasRotary(c, modal)) {
     const std::string& name = c.axes.at(word->axis).name;
     const int along = name == "A" ? 0 : name == "B" ? 1 : 2;  // the cylinder's axis
+    const int radial = along == 2 ? 0 : 2;
     if (modal.plane_u == along) {
-      choosePlane(modal, along, word->axis);
+      choosePlane(modal, along, word->axis, radial);
     } else {
-      choosePlane(modal, word->axis, along);
+      choosePlane(modal, word->axis, along, radial);
     }
   }
   if (!planCylinder(c, plan)) return false;
@@ -90,7 +96,8 @@ bool planFanucCylinder(IsoContext& c, BlockPlan& plan) {
   } else if (modal.mode == VirtualMode::kCylinder) {
     keepPlane(c);
   } else {
-    choosePlane(modal, c.state.axes.plane_u, c.state.axes.plane_v);  // it stays off
+    const AxisModal& before = c.state.axes;
+    choosePlane(modal, before.plane_u, before.plane_v, before.plane_w);  // it stays off
   }
   return true;
 }

@@ -109,6 +109,11 @@ bool fanucOffsets(IsoContext& c, BlockPlan& plan) {
     if (!fanucOffsetRow(c, *d, next.d)) return false;
     takeRadius(c, plan, *d);
   }
+  const GCode* length = plan.by_group[kGroupLengthComp];
+  if (length != nullptr && length->code10 != gcode::kLengthOff && next.h == 0 && !c.block.present.has('H')) {
+    c.warnOnce("G43 without H", "no-h",
+               fmt::format("no H is programmed: {} takes a length of 0", gName(length->number10())));
+  }
   return true;
 }
 

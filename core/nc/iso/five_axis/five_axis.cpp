@@ -50,6 +50,15 @@ bool planLengthAlongTool(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+namespace {
+
+/// G54 to G59 or G54.1, tenfold.
+std::int32_t codeOfWorkSystem(WorkSystemId id) {
+  return id >= kFirstExtended ? gcode::kExtendedWorkSystem : gcode::kWorkSystem1 + 10 * (id - 1);
+}
+
+}  // namespace
+
 bool planDynamicZero(IsoContext& c, BlockPlan& plan) {
   if (!c.five_axes.hasTable())
     return c.fail("machine-data",
@@ -60,8 +69,11 @@ bool planDynamicZero(IsoContext& c, BlockPlan& plan) {
   const Word* p = c.word('P');
   std::int64_t number = 0;
   if (p == nullptr) return c.alarm(SharedAlarm::kMissingData, "P", "G54.2 needs P1 to P8");
-  if (!integerWord(c, *p, 1, static_cast<std::int64_t>(c.registers.dynamic_zeros.size()), number))
+  const bool may_end = c.dialect.rules.dynamic_zero_off;
+  if (!integerWord(c, *p, may_end ? 0 : 1, static_cast<std::int64_t>(c.registers.dynamic_zeros.size()),
+                   number))
     return false;
+  if (number == 0) plan.next.active[kGroupWorkSystem] = codeOfWorkSystem(plan.next.work_system);
   plan.next.five.dynamic_zero = static_cast<std::int8_t>(number);
   plan.next.five.on_table = false;
   plan.flush = true;

@@ -92,6 +92,7 @@ struct IsoRules {
   /// spiral, and R by the larger factor. False: the arc is made anew from its ends and R by the factor of the
   /// plane's first axis.
   bool scales_centres = false;
+  bool dynamic_zero_off = false;      ///< G54.2 P0 ends a dynamic zero: the work system before is there again
   bool local_shift_absolute = false;  ///< the words of G52 are the shift; false: under G91 they add to it
   int extended_systems = 99;          ///< work systems of G54.1, G10 L20
 };
