@@ -208,7 +208,9 @@ bool lcnPlanModes(IsoContext& c, BlockPlan& plan) {
   lcnSet(plan, static_cast<IsoGroup>(kGroupLathe));
   plan.next.axes.diameter[0] = plan.next.active[kGroupLathe] == lcn::kDiameterMode;
   // What the offsets change is planned with the words as the line before has them, but with these units.
-  if (!planLcnComp(c, plan) || !planLcnLength(c, plan) || !planLcnFrame(c, plan)) return false;
+  if (!planLcnComp(c, plan)) return false;
+  if (linuxCncFlavour(c) == LinuxCncFlavour::kMach3 && !planMach3Radius(c, plan)) return false;
+  if (!planLcnLength(c, plan) || !planLcnFrame(c, plan)) return false;
   if (!planMach3Transforms(c, plan)) return false;
   for (const auto group :
        {kGroupCutting, kGroupDistance, static_cast<IsoGroup>(kGroupArcCentre), kGroupReturn, kGroupPolarData})

@@ -89,8 +89,10 @@ bool flavourTakesG(IsoContext& c, const Word& w, int code10) {
 }
 
 bool flavourTakesM(IsoContext& c, const Word& w) {
-  if (!isGrbl(c)) return true;
   const int m = mNumber(w);
+  if (m == 47 && linuxCncFlavour(c) != LinuxCncFlavour::kMach3)
+    return c.alarm(SharedAlarm::kNotImplemented, "M47 is not a code of this control", {}, w.columns);
+  if (!isGrbl(c)) return true;
   const bool hal = linuxCncFlavour(c) == LinuxCncFlavour::kGrblHal;
   if (!among(kGrblM, m) && !(hal && among(kGrblHalM, m)))
     return lcnFail(c, "unknown-code", fmt::format("M{} is not a code of this control", m), &w);

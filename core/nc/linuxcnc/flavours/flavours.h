@@ -25,12 +25,17 @@ int grblError(std::string_view name);
 /// Radii of an arc in GRBL: error 33. False: reported.
 bool grblRadii(IsoContext& c, double r1, double r2);
 
+/// A line of Mach3: G70 and G71 are G20 and G21, and G80 may stand beside a motion, which it leaves alone.
+void takeMach3Codes(Block& block);
+/// P of G41 and G42 is the radius. False: reported.
+bool planMach3Radius(IsoContext& c, BlockPlan& plan);
+
 // Plan functions of Mach3.
 /// G12 G13: a circle about the present place.
 bool planMach3Circle(IsoContext& c, BlockPlan& plan);
 /// G68 A B R, G69, G50, G51 X Y Z: parts of the modal state. False: reported.
 bool planMach3Transforms(IsoContext& c, BlockPlan& plan);
-/// G54 P n. False: reported.
+/// G54 P n, G59 P n. False: reported.
 bool planMach3Frame(IsoContext& c, BlockPlan& plan);
 /// G16: X is the radius, Y the angle (of the plane's axes). False: reported.
 bool mach3Polar(IsoContext& c, BlockPlan& plan, AxisPoint& target);

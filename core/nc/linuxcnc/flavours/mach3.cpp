@@ -72,12 +72,36 @@ bool planMach3Transforms(IsoContext& c, BlockPlan& plan) {
   return true;
 }
 
+void takeMach3Codes(Block& block) {
+  bool motion = false;
+  for (Word& w : block.words) {
+    if (w.address != 'G') continue;
+    if (w.value == 70.0 || w.value == 71.0) w.value -= 50.0;
+    motion = motion || w.value <= 3.0 || (w.value > 72.0 && w.value < 90.0 && w.value != 80.0);
+  }
+  std::erase_if(block.words, [&](const Word& w) { return w.address == 'G' && w.value == 80.0 && motion; });
+}
+
+bool planMach3Radius(IsoContext& c, BlockPlan& plan) {
+  const GCode* code = plan.by_group[kGroupRadiusComp];
+  const bool on = code != nullptr && (code->code10 == gcode::kCompLeft || code->code10 == gcode::kCompRight);
+  const Word* p = on ? c.block.find('P') : nullptr;
+  if (p == nullptr) return true;
+  if (c.block.present.has('D'))
+    return lcnFail(c, "comp", "G41, G42: D is a tool and P a radius, not both", p);
+  if (!(p->value >= 0.0)) return lcnFail(c, "comp", "P of G41 and G42, a radius, must not be negative", p);
+  plan.claimed.add('P');
+  plan.next.d_radius = lengthOf(plan, *p);
+  plan.next.d_tip = 0;
+  return true;
+}
+
 bool planMach3Frame(IsoContext& c, BlockPlan& plan) {
   const Word* p = c.ownWord(plan, 'P');
   if (p == nullptr) return true;
   std::int64_t number = 0;
   if (!lcnInteger(c, *p, number)) return false;
-  if (number < 1 || number > kMach3Systems) return lcnFail(c, "data", "G54 P is 1 to 254", p);
+  if (number < 1 || number > kMach3Systems) return lcnFail(c, "data", "P of G54 and G59 is 1 to 254", p);
   plan.claimed.add('P');
   plan.next.work_system = linuxCncSystem(static_cast<int>(number));
   return true;

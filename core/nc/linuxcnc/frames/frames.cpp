@@ -97,7 +97,8 @@ bool planLcnFrame(IsoContext& c, BlockPlan& plan) {
   plan.next.active[kGroupWorkSystem] = code->code10;
   plan.next.work_system = linuxCncSystem(lcnSystemOf(code->code10));
   plan.frames_changed = true;
-  if (linuxCncFlavour(c) == LinuxCncFlavour::kMach3 && code->code10 == 540 && !planMach3Frame(c, plan))
+  if (linuxCncFlavour(c) == LinuxCncFlavour::kMach3 && (code->code10 == 540 || code->code10 == 590) &&
+      !planMach3Frame(c, plan))
     return false;
   if (lacksWorkOffset(c.settings, plan.next.work_system) &&
       c.registers.frames.system(plan.next.work_system).offset == AxisPoint()) {

@@ -124,7 +124,7 @@ bool LcnFormula::parameter(LcnParameter& out) {
   if (!good) return false;
   std::int64_t number = 0;
   if (!lcnInteger(value.number, number)) return say("integer", "Non integer value for integer", begin);
-  if (number < 1 || number > LcnVariables::kLast)
+  if (!names_.hasParameter(static_cast<int>(number)))
     return say("parameter-number", "Parameter number out of range", begin);
   out.number = static_cast<int>(number);
   return true;
@@ -134,7 +134,7 @@ bool LcnFormula::variable(Value& out) {
   const std::size_t begin = i;
   LcnParameter asked;
   if (!parameter(asked)) return false;
-  if (asked.number > 0) {
+  if (asked.number >= 0) {
     out = names_.parameter(asked.number);
   } else if (!names_.named(asked.name, out)) {
     return say("not-defined",
@@ -155,7 +155,7 @@ bool LcnFormula::special(int /*which*/, const FormulaFunction& function, Value& 
   if (!parameter(asked)) return false;
   if (!take(']')) return say("unclosed", "Unclosed expression", begin);
   Value value;
-  const bool there = asked.number > 0 || names_.named(asked.name, value);
+  const bool there = asked.number >= 0 || names_.named(asked.name, value);
   out = {there ? 1.0 : 0.0, false};
   return true;
 }

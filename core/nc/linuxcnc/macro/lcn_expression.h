@@ -16,7 +16,8 @@ namespace proveout::nc {
 class LcnNames {
  public:
   virtual ~LcnNames() = default;
-  /// Parameter `number`, 1 to 5601.
+  /// Is there such a parameter?
+  virtual bool hasParameter(int number) const = 0;
   virtual Value parameter(int number) = 0;
   /// A parameter by its name in small letters. False: it is not defined.
   virtual bool named(std::string_view name, Value& out) = 0;
@@ -24,7 +25,7 @@ class LcnNames {
 
 /// A parameter as the program names it.
 struct LcnParameter {
-  int number = 0;         ///< 0: it has a name
+  int number = -1;        ///< below 0: it has a name
   std::string_view name;  ///< points into the text
 };
 

@@ -1,4 +1,4 @@
-// The parameters of LinuxCNC: numbers 1 to 5601, and names.
+// The parameters of LinuxCNC: numbers 1 to 5601, of Mach3 0 to 10320, and names.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@ namespace proveout::nc {
 class LcnVariables {
  public:
   static constexpr int kLast = 5601;
-  static constexpr int kLocals = 30;  ///< #1 to #30 belong to a call
+  static constexpr int kMost = 10320;  ///< of Mach3
+  static constexpr int kLocals = 30;   ///< #1 to #30 belong to a call
 
   static bool exists(int number) { return number >= 1 && number <= kLast; }
   /// `number` exists; so below.
@@ -51,7 +52,7 @@ class LcnVariables {
   static std::uint64_t hashOf(std::uint64_t place, const Value& value);
   Names& namesOf(std::string_view name) { return name.starts_with('_') ? globals_ : locals_; }
 
-  std::array<Value, kLast + 1> values_{};
+  std::array<Value, kMost + 1> values_{};
   Names globals_, locals_;
   std::vector<Level> levels_;
   std::uint64_t fingerprint_ = 0, locals_print_ = 0;

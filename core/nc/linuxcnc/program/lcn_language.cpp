@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/nc/iso/context/words.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/frames/frames.h"
 #include "core/nc/linuxcnc/program/lcn_kept.h"
 #include "core/nc/origins/intern_table.h"
@@ -30,6 +31,11 @@ void LinuxCncLanguage::loadTools() {
     set(OffsetColumn::kRadius, 0.5 * tool.diameter.value_or(0.0));
     table.setTip(tool.number, tool.orientation.value_or(0));
   }
+}
+
+bool LinuxCncLanguage::hasParameter(int number) const {
+  if (linuxCncFlavour(c_) == LinuxCncFlavour::kMach3) return number >= 0 && number <= LcnVariables::kMost;
+  return LcnVariables::exists(number);
 }
 
 Value LinuxCncLanguage::parameter(int number) {
@@ -81,7 +87,7 @@ std::optional<Go> LinuxCncLanguage::statement(StatementFlow& flow) {
   seeking_ = false;
   if (contourDone()) return words(flow);
   for (const Assignment& a : assignments_) {
-    if (a.to.number > 0) {
+    if (a.to.number >= 0) {
       assign(a.to.number, a.value);
     } else {
       variables_.putNamed(a.to.name, a.value);
@@ -101,6 +107,11 @@ std::optional<Go> LinuxCncLanguage::statement(StatementFlow& flow) {
 
 /// The words of the line. Nothing: they are to be planned.
 std::optional<Go> LinuxCncLanguage::words(StatementFlow& flow) {
+  if (repeatsProgram()) {
+    c_.warn("main-m99", "M47 starts the program again: one pass is simulated", {}, Severity::kNote);
+    flow.statementDone();
+    return flow.endRun("M47");
+  }
   if (!functions(flow)) return flow.failed(false);
   if (c_.block.words.empty()) return Go::kOn;
   if (const Word* const t = c_.block.find('T'); t != nullptr && !selects(*t)) return flow.failed(false);
@@ -149,6 +160,14 @@ bool LinuxCncLanguage::selects(const Word& t) {
   if (!lcnInteger(t.value, number)) return functionFails(t, "integer", "Non integer value for integer");
   if (number < 0) return functionFails(t, "tool", "Negative tool id (tool not found)");
   return knowsTool(static_cast<int>(number)) || unknownTool(t);
+}
+
+/// M47 of Mach3.
+bool LinuxCncLanguage::repeatsProgram() const {
+  if (linuxCncFlavour(c_) != LinuxCncFlavour::kMach3) return false;
+  for (const Word& w : c_.block.words)
+    if (w.address == 'M' && w.value == 47.0) return true;
+  return false;
 }
 
 bool LinuxCncLanguage::isReturn() const {

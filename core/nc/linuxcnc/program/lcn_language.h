@@ -49,6 +49,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
 
  private:
   // LcnNames
+  bool hasParameter(int number) const override;
   Value parameter(int number) override;
   bool named(std::string_view name, Value& out) override;
 
@@ -146,6 +147,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   Go callNumbered(StatementFlow& flow);
   Go returnNumbered(StatementFlow& flow);
   bool isReturn() const;
+  bool repeatsProgram() const;
   bool findProgram(const std::string& label, bool sub, CallFrame& frame);
   Go jumpBehind(const LcnOWords& words, std::size_t statement, StatementFlow& flow);
   bool readsOver(const LcnOWords& words, std::size_t line);

@@ -101,8 +101,11 @@ bool LinuxCncLanguage::readItems(std::size_t pos, Block& block) {
     block.kind = LineKind::kOwn;
     block.plain = false;
     o_word_.emplace();
-    return takeLcnOWord(text, pos + 1, *o_word_) ||
-           fault("o-word", "O-word without a number or a <name>", pos, text.size());
+    if (!takeLcnOWord(text, pos + 1, *o_word_))
+      return fault("o-word", "O-word without a number or a <name>", pos, text.size());
+    const bool label = o_word_->keyword == LcnKeyword::kLabel;
+    return label || linuxCncFlavour(c_) != LinuxCncFlavour::kMach3 ||
+           fault("o-word", "Mach3 has O with a number for M98, and no other O-words", pos, text.size());
   }
   while (pos < text.size()) {
     // GRBL takes N anywhere, and of T what stands in front of the point.
@@ -115,6 +118,7 @@ bool LinuxCncLanguage::readItems(std::size_t pos, Block& block) {
   if (!assignments_.empty()) block.kind = LineKind::kAssignment;
   std::string_view kind, rest;
   if (line_.has_comment && activeComment(kind, rest)) block.kind = LineKind::kOwn;
+  if (linuxCncFlavour(c_) == LinuxCncFlavour::kMach3) takeMach3Codes(block);
   return checkCodes(block);
 }
 
@@ -193,6 +197,10 @@ bool LinuxCncLanguage::takeCode(Word& word, std::size_t begin, std::size_t end) 
   }
   std::int64_t number = 0;
   if (!lcnInteger(word.value, number)) return fault("integer", "Non integer value for integer", begin, end);
+  if (number == 998 && linuxCncFlavour(c_) == LinuxCncFlavour::kPathPilot)
+    return fault("unknown-code",
+                 "M998 of PathPilot, to the place of tool changes, is not simulated: program G30", begin,
+                 end);
   if ((number < 0 || number > 199) && !machine_.remaps.contains(fmt::format("M{}", number)))
     return fault(
         "m-range",
@@ -232,10 +240,10 @@ bool LinuxCncLanguage::readAssignment(std::size_t& pos) {
     return false;
   }
   const LcnParameter& to = assignment.to;
-  if (to.number > 0 ? lcnReadOnly(to.number) : lcnPredefined(c_, run_, to.name).has_value()) {
+  if (to.number >= 0 ? lcnReadOnly(to.number) : lcnPredefined(c_, run_, to.name).has_value()) {
     return fault("read-only",
-                 to.number > 0 ? fmt::format("Parameter is readonly: #{}", to.number)
-                               : fmt::format("Cannot assign to read-only parameter #<{}>", to.name),
+                 to.number >= 0 ? fmt::format("Parameter is readonly: #{}", to.number)
+                                : fmt::format("Cannot assign to read-only parameter #<{}>", to.name),
                  begin, pos);
   }
   assignment.value.vacant = false;

@@ -22,6 +22,7 @@ constexpr auto kLinuxCncFunctionTable = std::to_array<MCode>({
     {9, MPhase::kBefore, kCoolantCodes, kState, {}, "lcn-5-M7", "coolant off"},
     {19, MPhase::kBefore, 0, kState, "RPQ", "lcn-5-M19", "orient the spindle"},
     {30, MPhase::kEnd, kFlowCodes, kSim, {}, "lcn-5-M2", "end of program, pallets"},
+    {47, MPhase::kEnd, kFlowCodes, kSim, {}, "lcn-6-mach3", "start again, of Mach3"},
     {48, MPhase::kBefore, 0, kHost, {}, "lcn-5-M48", "overrides on"},
     {49, MPhase::kBefore, 0, kHost, {}, "lcn-5-M48", "overrides off"},
     {50, MPhase::kBefore, 0, kHost, "P", "lcn-5-M48", "feed override"},

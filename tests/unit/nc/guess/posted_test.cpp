@@ -59,19 +59,12 @@ struct Cut {
   }
 };
 
-/// Programs with words of Mach3 that the control does not serve yet: G80 beside G0 with G71 for mm, and G12,
-/// G13, G68 in its own meaning.
-bool isOpen(const PostedProgram& program) {
-  return program.file == "vectric-mach3-profile.tap" || program.file == "hand-mach3-circle.tap";
-}
-
 class Posted : public testing::TestWithParam<PostedProgram> {};
 
 TEST_P(Posted, CutsWhatItsFigureSays) {
   const PostedProgram& program = GetParam();
   const ControlId control = findControl(program.control).value();
   const IsoRun run(control, program.text(), settingsOf(program, control));
-  if (isOpen(program) && !run.error().empty()) GTEST_SKIP() << "of Mach3, not served yet: " << run.message();
   EXPECT_EQ(run.error(), "") << run.message() << " line " << run.first(Severity::kError).where.line << ": "
                              << run.first(Severity::kError).source_line;
   EXPECT_EQ(run.summary.end, ProgramEnd::kEndOfProgram);

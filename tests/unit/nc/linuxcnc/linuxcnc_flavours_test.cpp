@@ -165,8 +165,48 @@ TEST(LinuxCncFlavours, RunsCodesOfMach3) {
   EXPECT_EQ(runFlavour(0, "G12 I3").error(), "linuxcnc-unknown-code");
 }
 
+// lcn-6-mach3: heads of posts, labels, parameters, the end that starts again.
+TEST(LinuxCncFlavours, ReadsProgramsOfMach3) {
+  const IsoRun head =
+      runFlavour(kMach3Flavour, "G00G20G17G90G40G49G80\nG71G91.1\nF100\nG1 X3\nG70\nX1\nG81 G71 Y1 Z-1 R2");
+  EXPECT_EQ(head.error(), "") << head.message();
+  EXPECT_EQ(head.motions()[0], "F 3 0 0");
+  EXPECT_EQ(head.motions()[1], "F 25.4 0 0");
+  EXPECT_EQ(head.motions().back(), "R 25.4 1 2");
+  const IsoRun calls = IsoRun(
+      ControlId::kLinuxCnc, "F100 G91\nM98 P1234 L2\nG1 Y1\nM30\nO1234\nG1 X2\nM98 P7\nM99\nO7\nG1 Z1\nM99\n",
+      lcnSettings({{"flavour", kMach3Flavour}}));
+  EXPECT_EQ(calls.error(), "") << calls.message();
+  EXPECT_EQ(calls.motions(), (Lines{"F 2 0 0", "F 2 0 1", "F 4 0 1", "F 4 0 2", "F 4 1 2"}));
+  EXPECT_EQ(runFlavour(kMach3Flavour, "#10320=4 #0=3\nG0 X#10320 Y#0").motions(), (Lines{"R 4 3 0"}));
+  EXPECT_EQ(runFlavour(kMach3Flavour, "#10321=4").error(), "linuxcnc-parameter-number");
+  EXPECT_EQ(runFlavour(0, "#5602=4").error(), "linuxcnc-parameter-number");
+  EXPECT_EQ(runFlavour(kMach3Flavour, "o1 if [1]\no1 endif").error(), "linuxcnc-o-word");
+  const IsoRun again = runFlavour(kMach3Flavour, "G0 X3\nM47\nG0 X9");
+  EXPECT_EQ(again.motions(), (Lines{"R 3 0 0"}));
+  EXPECT_TRUE(again.tells("linuxcnc-main-m99"));
+  EXPECT_EQ(runFlavour(0, "M47").error(), "linuxcnc-unknown-code");
+  EXPECT_EQ(runFlavour(0, "G0 G80 X1").error(), "linuxcnc-group-clash");
+}
+
+// lcn-6-mach3: P is the radius of compensation, and the number of a work system.
+TEST(LinuxCncFlavours, TakesPOfMach3) {
+  const IsoRun run =
+      runFlavour(kMach3Flavour, "F100\nG41 P2 G1 X10\nY10\nG40 G0 X0 Y0\nG59 P2\nG10 L2 P2 X5\nG0 X1");
+  EXPECT_EQ(run.error(), "") << run.message();
+  EXPECT_EQ(run.motions(),
+            runLcn("F100\nG41.1 D4 G1 X10\nY10\nG40 G0 X0 Y0\nG55\nG10 L2 P2 X5\nG0 X1").motions());
+  EXPECT_EQ(runFlavour(kMach3Flavour, "G41 P2 D1").error(), "linuxcnc-comp");
+  EXPECT_EQ(runFlavour(0, "G41 P2").error(), "linuxcnc-unused-word");
+}
+
 // lcn-6-other
 TEST(LinuxCncFlavours, KnowsOthers) {
+  EXPECT_EQ(runFlavour(kPathPilotFlavour, "M998").error(), "linuxcnc-unknown-code");
+  EXPECT_EQ(runFlavour(kPathPilotFlavour, "G47 P1").error(), "linuxcnc-unknown-code");
+  EXPECT_EQ(runFlavour(kSmoothieFlavour, "G0 X5 Y6 Z7\nG28").motions().back(), "R 0 0 0");
+  EXPECT_EQ(runFlavour(kGrblHalFlavour, "G91\nM98 P100 L2\nM30\nO100\nG0 X1\nM99").motions(),
+            (Lines{"R 1 0 0", "R 2 0 0"}));
   EXPECT_EQ(runFlavour(kGrblHalFlavour, "F100 G0 Z10\nG81 X1 Z-1 R2").error(), "");
   EXPECT_EQ(runFlavour(kGrblHalFlavour, "G41 D1").error(), "linuxcnc-error-20");
   EXPECT_EQ(runFlavour(kPathPilotFlavour, "G37 H1").error(), "linuxcnc-unknown-code");
