@@ -120,7 +120,7 @@ class Writer {
     both(fmt::format("G10 L2 P{}{}", frame, axes("XYZ")));
     both(fmt::format("G{}", 53 + frame));
     both("G1" + axes("XYZ"));
-    // The stand-alone interpreter has the length of the tool in millimetres behind G20.
+    // Without an INI file the interpreter has the length of the tool in other units behind G20.
     if (!inch_ && chance(50)) both("G53 G0" + axes("XYZ"));
     both("G0" + axes("XYZ"));
     both("G54");

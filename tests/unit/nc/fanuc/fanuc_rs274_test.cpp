@@ -1,4 +1,4 @@
-// The common subset of Fanuc-like mills and LinuxCNC: the motions that LinuxCNC's interpreter rs274 gives,
+// The common subset of Fanuc-like mills and LinuxCNC: the motions that LinuxCNC's interpreter gives,
 // and those of the control `linuxcnc`, which `make peer` holds to it. fan-20-rs274
 #include <gtest/gtest.h>
 
@@ -82,15 +82,13 @@ void expectSame(const std::vector<CommonMotion>& ours, const std::vector<CommonM
 }
 
 TEST(FanucRs274, MovesAsTheInterpreterDoes) {
-  // It prints four decimals of the unit; frames and lengths add some of them up.
-  constexpr double kPrinted = 3e-4, kPrintedInch = 25.4 * kPrinted;
+  constexpr double kSameMm = 1.5e-6;  // the figures have seven decimals
   int compared = 0;
   for (const Figures& figures : readFigures()) {
     const CommonProgram program = commonProgram(figures.number);
     const IsoRun run(ControlId::kFanucMill, program.fanuc, commonSettings(ControlId::kFanucMill));
     ASSERT_EQ(run.error(), "") << run.message() << "\n" << program.fanuc;
-    const bool inch = program.fanuc.find("G20") != std::string::npos;
-    expectSame(motionsOf(run, kPrinted), figures.motions, inch ? kPrintedInch : kPrinted, program.fanuc);
+    expectSame(motionsOf(run, kSameMm), figures.motions, kSameMm, program.fanuc);
     if (testing::Test::HasFatalFailure()) return;
     compared += static_cast<int>(figures.motions.size());
   }
