@@ -9,10 +9,11 @@
 namespace proveout::nc {
 namespace {
 
-/// So far into the material the touch of a probe is looked for where it has just touched, mm.
-constexpr double kLcnTouchMm = 2e-3;
-/// Parts of a move away in which the first loss of contact is looked for.
+/// So far on both sides of a place contact is felt, mm.
+constexpr double kLcnTouchMm = 2e-4;
+/// Parts of a move away in which the first loss of contact is looked for, and how near it is found, mm.
 constexpr int kLcnAwayParts = 64;
+constexpr double kLcnAwayMm = 1e-5;
 
 using LcnLineOfPath = std::optional<PathEmitter::Line>;
 
@@ -42,6 +43,15 @@ struct LcnProbed {
   bool at_once = false;      ///< away: there was no contact at the start
 };
 
+/// Does the tool touch there, felt along `n`, unit? What it would only slide along is no contact to the
+/// stock. False: reported.
+bool lcnTouches(IsoContext& c, const LcnLineOfPath& line, const Vec3& at, const Vec3& n, bool& touches) {
+  std::optional<double> met;
+  if (!lcnMeets(c, line, at - kLcnTouchMm * n, at + kLcnTouchMm * n, met)) return false;
+  touches = met.has_value();
+  return true;
+}
+
 /// Away: the end of the contact with the stock as cut so far. False: reported.
 bool lcnLoss(IsoContext& c, const LcnLineOfPath& line, LcnProbed& out) {
   const LinuxCncChannel& own = linuxCncChannel(c);
@@ -49,28 +59,32 @@ bool lcnLoss(IsoContext& c, const LcnLineOfPath& line, LcnProbed& out) {
   const double length = way.norm();
   if (!(length > 0.0))
     return c.fail("probe", "a probing move away without a way in X, Y, Z is not simulated");
-  // Behind a touch the probe stands on the surface: a little into it there is contact for sure.
+  // Behind a touch the contact is felt the way that the probe came, else against the way that it goes.
   const bool touched = own.probe_way && own.probe_met && (own.probe_end.xyz - c.standing().xyz).norm() < 1e-9;
-  const Vec3 into = touched ? Vec3(kLcnTouchMm * *own.probe_way) : Vec3(-kLcnTouchMm / length * way);
-  std::optional<double> met;
-  if (!touched && !lcnMeets(c, line, from, from + into, met)) return false;
-  if (!touched && !met && !lcnMeets(c, line, from, line->motion.to, met)) return false;
-  if (!touched && !(met && *met * length < kLcnTouchMm)) {
+  const Vec3 n = touched ? *own.probe_way : Vec3(-way / length);
+  bool touches = touched;
+  if (!touched && !lcnTouches(c, line, from, n, touches)) return false;
+  if (!touches && !lcnTouches(c, line, from, -n, touches)) return false;
+  if (!touches) {
     out.at = 0.0;
     out.at_once = true;
     return true;
   }
-  // What the shift into the material adds to the way.
-  const double more = std::max(0.0, -into.dot(way) / (length * length));
-  const auto place = [&](double part) { return Vec3(from + into + part * way); };
-  for (int k = 1; k <= kLcnAwayParts; ++k) {
-    const double a = static_cast<double>(k - 1) / kLcnAwayParts, b = static_cast<double>(k) / kLcnAwayParts;
-    if (!lcnMeets(c, line, place(b), place(a), met)) return false;
-    if (met && *met * (b - a) * length < 1e-6) continue;  // contact at the end of the part still
-    const double last = met ? b - *met * (b - a) : a;
-    out.at = std::clamp(last - more, 0.0, 1.0);
-    return true;
+  double last = 0.0, clear = 0.0;
+  for (int k = 1; k <= kLcnAwayParts && touches; ++k) {
+    last = clear;
+    clear = static_cast<double>(k) / kLcnAwayParts;
+    if (!lcnTouches(c, line, from + clear * way, n, touches)) return false;
   }
+  if (touches) return true;
+  while ((clear - last) * length > kLcnAwayMm) {
+    const double middle = 0.5 * (last + clear);
+    if (!lcnTouches(c, line, from + middle * way, n, touches)) return false;
+    (touches ? last : clear) = middle;
+  }
+  // Straight back the contact ends where the touch was, not where it is no longer felt.
+  const double felt = std::max(0.0, -n.dot(way)) * kLcnTouchMm / (length * length);
+  out.at = std::max(0.0, last - felt);
   return true;
 }
 

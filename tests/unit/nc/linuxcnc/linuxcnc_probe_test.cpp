@@ -85,12 +85,13 @@ TEST(LinuxCncProbe, StopsWhereContactEnds) {
   EXPECT_EQ(back.error(), "");
   EXPECT_EQ(back.told(), (Lines{"-10.000000 1.000000 -10.000000"}));
   // Up along the rib's wall, whose top is at -4: the touch in X is what holds.
-  const ProbeRun along("G0 Z-6\nG38.2 X50\nG38.5 Z4\n(debug,#5061 #5063 #5070)", boxes);
+  const ProbeRun along("G0 Z-6\nG38.2 X50\nG38.5 Z4\n#1=[ABS[#5063+4] LT 0.0001]\n(debug,#5061 #1 #5070)",
+                       boxes);
   EXPECT_EQ(along.error(), "");
-  EXPECT_EQ(along.told(), (Lines{"20.000000 -4.000000 1.000000"}));
+  EXPECT_EQ(along.told(), (Lines{"20.000000 1.000000 1.000000"}));
   // On its way it meets the bar: the first loss counts.
-  const ProbeRun first("G0 Z-6\nG38.2 X50\nG38.4 Z60\n(debug,#5063 #5070)", boxes);
-  EXPECT_EQ(first.told(), (Lines{"-4.000000 1.000000"})) << first.error();
+  const ProbeRun first("G0 Z-6\nG38.2 X50\nG38.4 Z60\n#1=[ABS[#5063+4] LT 0.0001]\n(debug,#1 #5070)", boxes);
+  EXPECT_EQ(first.told(), (Lines{"1.000000 1.000000"})) << first.error();
 }
 
 // lcn-3-G38.5
