@@ -8,7 +8,7 @@ namespace proveout::nc {
 namespace {
 
 constexpr double kLevelSame = 1e-6;  ///< mm
-constexpr double kNoWay = 1e-9;      ///< mm
+constexpr double kNoWay = 1e-6;      ///< mm; shorter moves are none
 
 /// Stretches on which the height goes one way.
 PlaneContour monotoneStretches(const PlaneContour& contour) {
