@@ -10,6 +10,7 @@
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/cycles/path_steps.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/perform/unused_words.h"
 #include "core/nc/services/circular_pocket.h"
 #include "core/nc/services/outline_pocket.h"
 
@@ -89,6 +90,7 @@ bool readRoundPocket(IsoContext& c, const BlockPlan& plan, const std::string& co
   const Word* i = c.word('I');
   const Word* k = c.word('K');
   const Word* q = c.word('Q');
+  if (q != nullptr && k == nullptr) tellUnused(c, *q, code, "there is one circle without K");
   if (i == nullptr)
     return c.alarm(SharedAlarm::kMissingData, "I", code + " needs the radius of the (first) circle");
   out.first = lengthOf(plan, *i);

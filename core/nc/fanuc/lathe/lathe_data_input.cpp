@@ -8,6 +8,7 @@
 #include "core/nc/iso/context/origins.h"
 #include "core/nc/iso/context/plans.h"
 #include "core/nc/iso/context/words.h"
+#include "core/nc/iso/perform/unused_words.h"
 
 namespace proveout::nc {
 namespace {
@@ -86,6 +87,10 @@ bool planLatheData(IsoContext& c, BlockPlan& plan) {
       continue;
     }
     return c.alarm(SharedAlarm::kIllegalAddress, w, "in G10 of offsets");
+  }
+  for (const Address a : {'R', 'C', 'Q'}) {
+    if (const Word* w = number == 0 ? c.word(a) : nullptr; w != nullptr && w->axis < 0)
+      tellUnused(c, *w, "G10", "P0 is the shift of the work frames, which has no nose");
   }
   std::int64_t tip = 0;
   if (const Word* q = c.ownWord(plan, 'Q'); q != nullptr && !integerWord(c, *q, 0, 9, tip)) return false;

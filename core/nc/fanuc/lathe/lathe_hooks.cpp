@@ -209,8 +209,8 @@ bool planLatheBlock(IsoContext& c, BlockPlan& plan) {
 
 bool planLatheTool(IsoContext& c, BlockPlan& plan, const Word& t) {
   std::int64_t number = 0;
-  if (!integerWord(c, t, 0, 99999999, number)) return false;
   const int base = c.parameters[FanucParam::kLatheT] == 0.0 ? 100 : 10;  // digits of the offset
+  if (!integerWord(c, t, 0, 9999, number)) return false;
   const auto tool = static_cast<int>(number / base), offset = static_cast<int>(number % base);
   IsoState& next = plan.next;
   if (tool > 0) {

@@ -99,7 +99,7 @@ bool planSingleCycle(IsoContext& c, BlockPlan& plan) {
 }
 
 bool planThreadingCycle(IsoContext& c, BlockPlan& plan) {
-  if (!refuseCorners(c)) return false;
+  if (!refuseCorners(c) || !checkStartAngle(c, plan)) return false;
   SingleCycleWords words;
   if (!takeSingleWords(c, plan, words)) return false;
   if (!cuts(c, plan)) return true;

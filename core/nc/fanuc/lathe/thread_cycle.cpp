@@ -1,6 +1,8 @@
 // G76: a thread in all its passes, in two lines and in one (sections 16 and 18).
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
@@ -38,6 +40,13 @@ bool planThreadLine(IsoContext& c, BlockPlan& plan) {
   ThreadDigits digits;
   const Word* p = c.ownWord(plan, 'P');
   if (p != nullptr && !takeThreadDigits(c, *p, digits)) return false;
+  constexpr std::array<int, 6> kAngles{80, 60, 55, 30, 29, 0};
+  if (p != nullptr && std::find(kAngles.begin(), kAngles.end(), digits.angle) == kAngles.end()) {
+    c.warnOnce(fmt::format("thread angle {}", digits.angle), "thread-angle",
+               fmt::format("G76: an angle of {} degrees; many controls take 80, 60, 55, 30, 29 and 0 only",
+                           digits.angle),
+               p->columns, Severity::kNote);
+  }
   if (const Word* q = c.ownWord(plan, 'Q'); q != nullptr && q->value < 0.0)
     return c.failWord("062", "G76: the least depth Q must not be negative", *q);
   if (lengthWord(c, plan, 'R') < 0.0) return c.fail("062", "G76: the allowance R must not be negative");

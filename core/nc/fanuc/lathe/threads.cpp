@@ -60,7 +60,7 @@ bool cutThreadBlock(IsoContext& c, BlockPlan& plan) {
 }  // namespace
 
 bool planLatheThread(IsoContext& c, BlockPlan& plan) {
-  if (!refuseCorners(c)) return false;
+  if (!refuseCorners(c) || !checkStartAngle(c, plan)) return false;
   if (!axisTarget(c, plan, plan.motion.target)) return false;
   if (!c.anyAxisWord() && !plan.motion.named.any()) return true;
   if (!takeLead(c, plan)) return false;

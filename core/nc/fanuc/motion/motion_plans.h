@@ -18,6 +18,10 @@ bool planFanucArc(IsoContext& c, BlockPlan& plan);
 bool planFanucThread(IsoContext& c, BlockPlan& plan);
 /// Threads have no chamfers and corners. Alarm 050.
 bool refuseCorners(IsoContext& c);
+/// Q of a thread: a start angle within a turn. Alarm 003.
+bool checkStartAngle(IsoContext& c, const BlockPlan& plan);
+/// G31, P1 to P4 the input that stops it: the path is the same.
+bool planFanucSkip(IsoContext& c, BlockPlan& plan);
 
 // curves.cpp
 /// G02.2, G03.2: involute of the base circle R about I, J.

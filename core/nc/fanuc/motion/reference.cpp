@@ -20,6 +20,14 @@
 namespace proveout::nc {
 namespace {
 
+/// A code of machine moves without an axis moves nothing. True: the plan is done.
+bool namesNoAxis(IsoContext& c, const BlockPlan& plan) {
+  if (c.anyAxisWord()) return false;
+  c.warn("no-axis", fmt::format("{} names no axis: no motion", gName(plan.governor->code10)), {},
+         Severity::kNote);
+  return true;
+}
+
 bool named(const BlockPlan& plan, int axis) { return plan.motion.named[static_cast<std::size_t>(axis)]; }
 
 /// The mill's length offset of these axes is over when the motion is done.
@@ -93,7 +101,7 @@ bool planFanucMachineMove(IsoContext& c, BlockPlan& plan) {
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.to = c.machine;
   plan.motion.target = plan.start;
-  if (!c.anyAxisWord()) return true;
+  if (namesNoAxis(c, plan)) return true;
   if (plan.next.incremental() && !isHaas(c)) {
     if (c.firstTime("G53 in G91"))
       c.warn("g53-incremental", "G53 needs G90: under G91 its block does not move", {}, Severity::kNote);
@@ -163,11 +171,7 @@ bool planFanucReference(IsoContext& c, BlockPlan& plan) {
   AxisPoint via = plan.start;
   if (!axisTarget(c, plan, via, WordsAre::kReference)) return false;
   plan.motion.target = plan.start;
-  if (!c.anyAxisWord()) {
-    c.warn("no-axis", fmt::format("{} names no axis: no motion", gName(plan.governor->code10)), {},
-           Severity::kNote);
-    return true;
-  }
+  if (namesNoAxis(c, plan)) return true;
   const auto index = static_cast<std::size_t>(point - 1);
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.has_via = true;
@@ -190,7 +194,7 @@ bool planFanucReference(IsoContext& c, BlockPlan& plan) {
 bool planFromReference(IsoContext& c, BlockPlan& plan) {
   const FanucData& data = fanucData(c);
   if (!axisTarget(c, plan, plan.motion.target, WordsAre::kReference)) return false;
-  if (!c.anyAxisWord()) return true;
+  if (namesNoAxis(c, plan)) return true;
   if (!data.via_known) return c.fail("046", "G29 has no intermediate point: no G28 or G30 has gone before");
   MachineMove& move = plan.payload.emplace<MachineMove>();
   move.has_via = true;
@@ -242,7 +246,8 @@ bool performOneDirection(IsoContext& c, BlockPlan& plan) {
 bool planReferenceCheck(IsoContext& c, BlockPlan& plan) {
   std::int64_t point = 1;
   if (const Word* p = c.ownWord(plan, 'P'); p != nullptr && !integerWord(c, *p, 1, 4, point)) return false;
-  if (!planRapid(c, plan) || !c.anyAxisWord()) return c.anyAxisWord() ? false : true;
+  if (!planRapid(c, plan)) return false;
+  if (namesNoAxis(c, plan)) return true;
   plan.motion.pivot_mm = static_cast<double>(point - 1);
   plan.perform = performReferenceCheck;
   return true;
@@ -250,7 +255,7 @@ bool planReferenceCheck(IsoContext& c, BlockPlan& plan) {
 
 bool planOneDirection(IsoContext& c, BlockPlan& plan) {
   if (!planRapid(c, plan)) return false;
-  if (plan.perform != performMove) return true;
+  if (namesNoAxis(c, plan) || plan.perform != performMove) return true;
   bool overrun = false;
   for (int axis = 0; axis < c.axes.count(); ++axis)
     overrun = overrun || c.parameters.value(FanucParam::kOverrun, c.axes.at(axis).number) != 0.0;

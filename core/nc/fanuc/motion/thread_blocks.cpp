@@ -14,6 +14,21 @@ bool refuseCorners(IsoContext& c) {
   return true;
 }
 
-bool planFanucThread(IsoContext& c, BlockPlan& plan) { return refuseCorners(c) && planThread(c, plan); }
+bool checkStartAngle(IsoContext& c, const BlockPlan& plan) {
+  constexpr double kTurnDeg = 360.0;
+  const Word* q = c.ownWord(plan, 'Q');
+  return q == nullptr || (q->value >= 0.0 && q->value <= kTurnDeg) ||
+         c.alarm(SharedAlarm::kOutOfRange, *q, "the start angle counts in 0.001 degrees, from 0 to 360000");
+}
+
+bool planFanucThread(IsoContext& c, BlockPlan& plan) {
+  return refuseCorners(c) && checkStartAngle(c, plan) && planThread(c, plan);
+}
+
+bool planFanucSkip(IsoContext& c, BlockPlan& plan) {
+  std::int64_t signal = 0;
+  const Word* p = c.ownWord(plan, 'P');
+  return (p == nullptr || integerWord(c, *p, 1, 4, signal)) && planSkip(c, plan);
+}
 
 }  // namespace proveout::nc

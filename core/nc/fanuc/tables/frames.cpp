@@ -19,7 +19,7 @@ constexpr auto kFanucFramesTableG = std::to_array<GCode>({
     action(110, kOneShot, kState, {}, planEndOfData, false, "", "end of data input"),
     action(220, kGroupZones, kSim, "XYZIJK", planZoneOn, true, "fan-5-G22", "stored stroke check"),
     action(230, kGroupZones, kSim, {}, planZoneOff, true, "fan-5-G23", "stored stroke check off"),
-    action(310, kOneShot, kSim, "XYZUVWP", planSkip, true, "fan-3-G31 fan-3-G31P",
+    action(310, kOneShot, kSim, "XYZUVWP", planFanucSkip, true, "fan-3-G31 fan-3-G31P",
            "skip: ends at the first contact"),
     action(520, kOneShot, kSim, kAxes, planLocalShift, true, "fan-6-G52", "local coordinate system"),
     action(530, kOneShot, kSim, kAxes, planFanucMachineMove, true, "fan-5-G53",

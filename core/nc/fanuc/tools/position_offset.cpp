@@ -35,6 +35,8 @@ bool planFanucPositionOffset(IsoContext& c, BlockPlan& plan) {
     return c.fail("position-offset", gName(code10) + " cannot stand in a drilling cycle: program G80 first");
   if (!c.anyAxisWord())
     c.warn("position-offset", gName(code10) + " without an axis does nothing", {}, Severity::kNote);
+  if (plan.next.d == 0)
+    c.warnOnce("G45 without D", "no-d", gName(code10) + " without a D in force: ways grow by 0");
   const double grows = growthOf(code10) * plan.next.d_radius / plan.next.unitScale();
   const PlaneFrame plane(plan.next.plane());
   for (Word& w : c.block.words) {

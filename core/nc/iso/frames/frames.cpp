@@ -70,13 +70,18 @@ bool planSetPosition(IsoContext& c, BlockPlan& plan) {
     plan.motion.target = plan.start;
     return true;
   }
-  if (!c.anyAxisWord()) return c.alarm(SharedAlarm::kMissingData, "", "G92 needs axis words or S");
+  const std::string name = gName(plan.governor->number10());
+  if (!c.anyAxisWord()) return c.alarm(SharedAlarm::kMissingData, "", name + " needs axis words or S");
   FrameChange& change = frameChange(c, plan);
   const AxisPoint work = plan.chain->workOf(plan.start);
   AxisPoint position = plan.start;
+  AxisSet given;
   for (const Word& w : c.block.words) {
     AxisWord word;
     if (!axisWord(plan, w, word)) continue;
+    if (given[static_cast<std::size_t>(word.axis)])
+      return c.alarm(SharedAlarm::kIllegalAddress, w, "the axis is given twice in this block");
+    given.set(static_cast<std::size_t>(word.axis));
     if (word.own_step && !c.dialect.rules.set_position_steps)
       return c.alarm(SharedAlarm::kIncremental, w, "G92 words are absolute");
     const double value = (word.own_step ? plan.start[word.axis] : 0.0) + axisValue(c, plan, word, w);
