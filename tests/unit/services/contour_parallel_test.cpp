@@ -50,6 +50,24 @@ TEST(ContourParallel, PassesOverWhatIsTooNarrow) {
   EXPECT_GT(over[1].to.y(), 5.0);
 }
 
+TEST(ContourParallel, BearsTheRoundingOfPrograms) {
+  // Arcs with three decimals end beside their circles and beside the tangents of what follows.
+  const PlaneContour contour = {
+      lineElement({9.841, -25.031}, {13.169, -23.0395}),
+      arcElement({13.169, -21.6165}, {13.169, -23.0395}, {14.591, -21.6175}, 1.570093),
+      lineElement({14.591, -21.6175}, {14.591, -15.604}), lineElement({14.591, -15.604}, {18.291, -14.2725})};
+  for (const double distance : {0.299, 25.0 * 0.299}) {
+    const PlaneContour out = parallelContour(contour, distance);
+    ASSERT_FALSE(out.empty()) << distance;
+    for (const ContourElement& e : out) EXPECT_GT((e.to - e.from).norm(), 1e-5);
+  }
+  // Two thousandths of a degree: no arc, and no gap.
+  const PlaneContour straight =
+      parallelContour(polyline({{0, 0}, {300, 0}, {600, -0.01}, {900, -0.01}}), 10.0);
+  ASSERT_EQ(straight.size(), 3u);
+  for (const ContourElement& e : straight) EXPECT_FALSE(e.arc);
+}
+
 TEST(ContourParallel, KeepsTheDistanceOnRandomContours) {
   std::mt19937 random(7);
   const auto between = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };

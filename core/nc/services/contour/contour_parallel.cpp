@@ -13,6 +13,7 @@ namespace proveout {
 namespace {
 
 constexpr double kNoLength = 1e-7;      ///< mm; shorter pieces are none
+constexpr double kNoPiece = 1e-5;       ///< mm; shorter parts between crossings are none
 constexpr double kTooNear = 1e-6;       ///< mm; nearer to a curve is on it
 constexpr double kKept = 1e-9;          ///< mm; what rounding takes from the distance
 constexpr double kMostGap = 1e-3;       ///< mm; farther apart pieces do not belong together
@@ -72,11 +73,9 @@ std::optional<ContourElement> aboutCorner(const ContourElement& a, const Contour
 bool meetAtCorner(ContourElement& a, ContourElement& b) {
   const double gap = (b.from - a.to).norm();
   if (gap >= kSmallGap) return false;
-  const Vec2 middle = 0.5 * (a.to + b.from);
-  auto at = nearestMeeting(curveOf(a), curveOf(b), middle);
-  const bool far = !at || (*at - a.to).norm() > gap || (*at - b.from).norm() > gap;
-  if (far && gap >= kMostGap) return false;
-  if (far) at = middle;  // they are tangent but for the rounding of the program
+  const auto at = nearestMeeting(curveOf(a), curveOf(b), 0.5 * (a.to + b.from));
+  // Elements that are tangent but for the rounding of the program stay as they are, next to each other.
+  if (!at || (*at - a.to).norm() > gap || (*at - b.from).norm() > gap) return gap < kMostGap;
   a = cutTo(a, a.from, *at);
   b = cutTo(b, *at, b.to);
   return true;
@@ -126,13 +125,19 @@ class ParallelPieces {
   PlaneContour kept() const {
     PlaneContour out;
     for (std::size_t k = 0; k < raw_.size(); ++k) {
-      double last = 0.0;
+      double last = 0.0, begin = -1.0;  // of the parts in hand that keep it
       for (const double t : cuts_[k]) {
         const ContourElement part = partOf(raw_[k], last, t);
-        if (lengthOf(part) < kNoLength) continue;
+        if (lengthOf(part) < kNoPiece) continue;  // touching curves meet at no sure point
+        if (!keeps(pointOn(part, 0.5))) {
+          if (begin >= 0.0) out.push_back(partOf(raw_[k], begin, last));
+          begin = -1.0;
+        } else if (begin < 0.0) {
+          begin = last;
+        }
         last = t;
-        if (keeps(pointOn(part, 0.5))) out.push_back(part);
       }
+      if (begin >= 0.0) out.push_back(partOf(raw_[k], begin, last));
     }
     return out;
   }
