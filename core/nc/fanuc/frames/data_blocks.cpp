@@ -60,10 +60,21 @@ void takeStartUp(IsoContext& c, const Word& r, const Word* bit) {
   c.parameters.put(FanucParam::kCompStartUp, suv != 0 ? 2.0 : sup);
 }
 
+/// Choices that are 0 here where the bit of the control is 1: 3401#0 DPI, 1202#3 RLC, 5002#6 LWM.
+bool isTurnedOver(const ParamInfo& row) {
+  return row.name == "decimal" || row.name == "g52_at_end" || row.name == "wear_moves";
+}
+
+/// The digit of a row that is one bit.
+double bitValue(const ParamInfo& row, double digit) {
+  return isTurnedOver(row) ? (digit != 0.0 ? 0.0 : 1.0) : digit;
+}
+
 bool takeRow(IsoContext& c, const ParamInfo& row, const Word& r, int index) {
   const bool bit = row.bit >= 0;
   const bool by_number = c.word('Q') != nullptr;
-  const double value = !bit ? wholeValue(row, r) : by_number ? r.value : binaryDigit(r.value, row.bit);
+  const double digit = !bit ? 0.0 : by_number ? r.value : binaryDigit(r.value, row.bit);
+  const double value = bit ? bitValue(row, digit) : wholeValue(row, r);
   const bool each = row.scope == ParamScope::kAxis || row.scope == ParamScope::kSpindle;
   const ParamStatus status = c.parameters.write(row.number, bit ? row.bit : kWholeParam,
                                                 each ? std::max(index, 1) : 0, value, false);

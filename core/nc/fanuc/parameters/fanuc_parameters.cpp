@@ -8,11 +8,6 @@
 namespace proveout::nc {
 namespace {
 
-constexpr ParamInfo atBit(ParamInfo row, int position) {
-  row.bit = position;
-  return row;
-}
-
 /// Offsets, compensation, transforms (iso-fanuc, sections 6 to 9).
 void addOffsetRows(ParameterTable& table) {
   using namespace param_rows;
@@ -46,19 +41,22 @@ const ParameterTable& fanucParameters() {
   static const ParameterTable kTable = [] {
     ParameterTable table("fanuc", static_cast<std::size_t>(FanucParam::kCount));
     table.add(FanucParam::kFlavour, choice("flavour", kNoNumber, 0, "fanuc haas", "whose rows hold"))
-        .add(FanucParam::kDecimal, choice("decimal", 3401, 0, "calculator increment",
-                                          "words without a point: 50 is 50 mm, or 0.050 mm"))
+        .add(FanucParam::kDecimal, atBit(choice("decimal", 3401, 0, "calculator increment",
+                                                "words without a point: 50 is 50 mm, or 0.050 mm"),
+                                         0))
         .add(MotionParam::kDefaultG20,
-             choice("power_on_units", 3402, 0, "mm inch", "unit where the program does not say"))
-        .add(FanucParam::kPowerOnPlane,
-             number("power_on_plane", 3402, kChannel, 0, 0, 19,
-                    "plane where the program does not say: 17, 18 or 19; 0: 17 of mills, 18 of lathes"))
+             choice("power_on_units", kNoNumber, 0, "mm inch", "unit where the program does not say"))
+        .add(FanucParam::kPowerOnPlane, number("power_on_plane", kNoNumber, kChannel, 0, 0, 19,
+                                               "plane where the program does not say: 17, 18 or 19 (3402#1, "
+                                               "#2); 0: 17 of mills, 18 of lathes"))
         .add(MotionParam::kDefaultG1,
-             choice("power_on_motion", 3402, 0, "G0 G1", "motion where the program does not say"))
-        .add(MotionParam::kDefaultG91,
-             choice("power_on_distance", 3402, 0, "G90 G91", "coordinates where the program does not say"))
+             atBit(choice("power_on_motion", 3402, 0, "G0 G1", "motion where the program does not say"), 0))
+        .add(MotionParam::kDefaultG91, atBit(choice("power_on_distance", 3402, 0, "G90 G91",
+                                                    "coordinates where the program does not say"),
+                                             3))
         .add(FanucParam::kRapid,
-             choice("rapid", 1401, 0, "dogleg linear", "each axis at its own rate, or a straight way"))
+             atBit(choice("rapid", 1401, 0, "dogleg linear", "each axis at its own rate, or a straight way"),
+                   1))
         .add(FanucParam::kStrictM,
              number("strict_m", kNoNumber, kChannel, 0, 0, 1, "M functions that nobody knows are errors"))
         .add(FanucParam::kOverrun,
@@ -66,7 +64,8 @@ const ParameterTable& fanucParameters() {
         .add(FanucParam::kPark, number("park", kNoNumber, kAxis, 0, -1e6, 1e6,
                                        "where an axis goes by G28, G30, G53 if nothing tells machine zero, "
                                        "machine coordinates; not given: it stays"))
-        .add(FanucParam::kKeepG52, choice("g52_at_end", 1202, 0, "clear keep", "shift of G52 at the end"))
+        .add(FanucParam::kKeepG52,
+             atBit(choice("g52_at_end", 1202, 0, "clear keep", "shift of G52 at the end"), 3))
         .add(FanucParam::kKeepG92,
              choice("g92_at_end", kNoNumber, 1, "clear keep", "shift of G92 at the end"))
         .add(MotionParam::kRadiusDifference,
@@ -76,14 +75,16 @@ const ParameterTable& fanucParameters() {
              number("g73_retract", 5114, kChannel, 0.5, 0, 1e3, "rise between the pecks of G73, mm"))
         .add(CycleParam::kPeckClearance, number("g83_clearance", 5115, kChannel, 0.5, 0, 1e3,
                                                 "rapid ends so far above the last depth, mm"))
-        .add(FanucParam::kRigidAlways,
-             choice("g84_rigid", 5200, 0, "M29 always", "whether G84 and G74 are rigid behind M29 only"))
-        .add(FanucParam::kRigidPeck,
-             choice("rigid_peck", 5200, 0, "fast full", "pecks of rigid taps: a little back, or out to R"))
+        .add(FanucParam::kRigidAlways, atBit(choice("g84_rigid", 5200, 0, "M29 always",
+                                                    "whether G84 and G74 are rigid behind M29 only"),
+                                             0))
+        .add(FanucParam::kRigidPeck, atBit(choice("rigid_peck", 5200, 0, "fast full",
+                                                  "pecks of rigid taps: a little back, or out to R"),
+                                           5))
         .add(CycleParam::kRigidChipBreakReturn, number("rigid_retract", 5213, kChannel, 0.5, 0, 1e3,
                                                        "way back between the pecks of rigid taps, mm"))
-        .add(FanucParam::kBoreShift,
-             choice("g76_shift", 5101, 0, "+X -X +Y -Y", "direction of Q of G76 and G87, as in G17"))
+        .add(FanucParam::kBoreShift, choice("g76_shift", kNoNumber, 0, "+X -X +Y -Y",
+                                            "direction of Q of G76 and G87, as in G17 (5101#4, #5)"))
         .add(FanucParam::kSetting9,
              atPowerOn(choice("setting_9", kNoNumber, 0, "mm inch",
                               "Haas: unit where neither the program nor power_on_units "

@@ -8,10 +8,13 @@ void addLatheRows(ParameterTable& table) {
   using namespace param_rows;
   constexpr double kLongMm = 1e5;
   table
-      .add(FanucParam::kGcodeSystem, choice("gcode_system", 3401, 0, "A B C", "system of G codes of a lathe"))
-      .add(FanucParam::kLatheT, choice("lathe_t", 5002, 0, "4 2", "digits of T: tool and offset, half each"))
+      .add(FanucParam::kGcodeSystem,
+           choice("gcode_system", kNoNumber, 0, "A B C", "system of G codes of a lathe (3401#6, #7)"))
+      .add(FanucParam::kLatheT,
+           atBit(choice("lathe_t", 5002, 0, "4 2", "digits of T: tool and offset, half each"), 0))
       .add(FanucParam::kGeometryBy,
-           choice("geometry_by", 5002, 0, "offset tool", "which number of T names the geometry offset"))
+           atBit(choice("geometry_by", 5002, 0, "offset tool", "which number of T names the geometry offset"),
+                 1))
       .add(FanucParam::kOffsetX, number("offset_x", kNoNumber, kAxis, 0, -kLongMm, kLongMm,
                                         "geometry offset of that number along X, a diameter, mm"))
       .add(FanucParam::kOffsetZ, number("offset_z", kNoNumber, kAxis, 0, -kLongMm, kLongMm,
@@ -46,11 +49,16 @@ void addLatheRows(ParameterTable& table) {
            number("g76_finish", 5141, kChannel, 0.05, 0, kLongMm, "finish allowance of G76, mm"))
       .add(FanucParam::kG76Repeat, number("g76_repeat", 5142, kChannel, 1, 0, 99, "finish passes of G76"))
       .add(FanucParam::kG76Angle, number("g76_angle", 5143, kChannel, 60, 0, 120, "angle of G76, degrees"))
-      .add(FanucParam::kPeckToR, choice("lathe_peck", 5101, 0, "short full",
-                                        "G83, G87 of lathes return a little between pecks, or to level R"))
+      .add(FanucParam::kPeckToR,
+           atBit(choice("lathe_peck", 5101, 0, "short full",
+                        "G83, G87 of lathes return a little between pecks, or to level R"),
+                 2))
       .add(FanucParam::kWearMoves,
-           choice("wear_moves", 5002, 0, "next t_block",
-                  "the wear offset of T moves the tool with the axis's next motion, or with the block of T"));
+           atBit(
+               choice(
+                   "wear_moves", 5002, 0, "next t_block",
+                   "the wear offset of T moves the tool with the axis's next motion, or with the block of T"),
+               6));
   constexpr double kMostM = 99999999;
   const auto live = [&](FanucParam row, std::string_view name, std::string_view meaning) {
     table.add(row, atPowerOn(number(name, kNoNumber, kChannel, 0, 0, kMostM, meaning)));

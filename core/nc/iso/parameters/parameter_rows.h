@@ -28,6 +28,11 @@ constexpr ParamInfo choice(std::string_view name, int no, double default_value, 
   row.choices = words;
   return row;
 }
+/// A choice of two that is one bit of its number, from 0.
+constexpr ParamInfo atBit(ParamInfo row, int position) {
+  row.bit = position;
+  return row;
+}
 /// A row that programs cannot change.
 constexpr ParamInfo atPowerOn(ParamInfo row) {
   row.restart = true;

@@ -64,6 +64,29 @@ TEST(FanucTold, NothingIsTakenInSilence) {
   EXPECT_FALSE(toldRun({ToldBy::kHaas, "G103 P5", ""}).tells("fanuc-unused-word")) << "the note is for P too";
 }
 
+/// fan-6-G10L50: choices that are one bit of a parameter leave the other bits alone.
+TEST(FanucTold, ParametersOfOneBit) {
+  const auto motions = [](const std::string& text) {
+    const IsoRun run(ControlId::kFanucMill, "O1\nG21 G90 G17\n" + text + "\nM30\n", runAtZero());
+    EXPECT_EQ(run.error(), "") << text << run.message();
+    return run.motions();
+  };
+  using Lines = std::vector<std::string>;
+  // 3401#0 DPI: 1 is the rule of a calculator.
+  EXPECT_EQ(motions("G10 L52\nN3401 Q0 R0\nG11\nG0 X5"), (Lines{"R 0.005 0 0"}));
+  EXPECT_EQ(motions("G10 L52\nN3401 R00000000\nG11\nG10 L52\nN3401 R00000001\nG11\nG0 X5"),
+            (Lines{"R 5 0 0"}));
+  // 1401#1 LRP: straight rapids or dog legs.
+  EXPECT_EQ(motions("G10 L52\nN1401 Q4 R1\nG11\nG0 X5. Y5."), (Lines{"R 5 5 0"}));
+  // 5200#0: G84 is rigid without M29; #5 is another choice.
+  const IsoRun rigid(ControlId::kFanucMill,
+                     "O1\nG21 G90 G17 S500\nG10 L52\nN5200 R00000001\nG11\nG84 X5. Z-5. R2. Q4. F500.\nM30\n",
+                     runAtZero());
+  EXPECT_EQ(rigid.error(), "") << rigid.message();
+  EXPECT_EQ(rigid.motions(),
+            (Lines{"R 5 0 0", "R 5 0 2", "T 5 0 -2", "T 5 0 -1.5", "T 5 0 -5", "T 5 0 2", "R 5 0 0"}));
+}
+
 TEST(FanucTold, ModesOfLookAheadStay) {
   for (const char* text : {"G8 P1", "G8 P0", "G5 P10000", "G5 P0", "G5.1 Q1", "G5.1 Q0", "G31 P4 X5. F10."})
     EXPECT_EQ(toldRun({ToldBy::kMill, text, ""}).error(), "") << text;
