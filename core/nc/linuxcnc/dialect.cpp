@@ -1,6 +1,7 @@
 #include "core/nc/linuxcnc/dialect.h"
 
 #include "core/nc/linuxcnc/alarms.h"
+#include "core/nc/linuxcnc/flavours/flavours.h"
 #include "core/nc/linuxcnc/macro/formulas.h"
 #include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
@@ -38,6 +39,7 @@ const IsoDialect& linuxCncDialect(const std::map<std::string, double>& /*setting
       .maker_data = makeLinuxCncChannel,
       .plan = planLinuxCncBlock,
       .end_state = endStateOfLinuxCnc,
+      .begin = beginLinuxCnc,
       .power_on = powerOnLinuxCnc,
       .language = linuxCncLanguage,
   };

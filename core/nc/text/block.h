@@ -75,6 +75,7 @@ struct Word {
   bool from_expression = false;  ///< the value was computed: alarms tell it
   bool minus = false;            ///< it has a minus sign
   bool point = false;            ///< a plain number with a decimal point
+  std::uint8_t decimals = 0;     ///< of a plain number: digits behind the point, 255 at most
   double value = 0.0;            ///< as programmed, no unit conversion
   Columns columns;
   std::int8_t axis = -1;     ///< index of the axis of that name, or -1

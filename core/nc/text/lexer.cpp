@@ -458,6 +458,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
   if (rules_.number_alarms && i < line.size() && (line[i] == '-' || line[i] == '+'))
     return fail(SharedAlarm::kSign, name, {}, begin, i + 1);
   word.point = point;
+  word.decimals = static_cast<std::uint8_t>(std::min(fraction, 255));
   if (significant - fraction > kExactDigits) {
     return fail(SharedAlarm::kOutOfRange, name, "more than 15 digits", begin, i);
   }
@@ -474,6 +475,8 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
 }
 
 std::size_t blockEnd(std::string_view line, std::size_t from) {
+  if (std::find(line.begin() + static_cast<std::ptrdiff_t>(from), line.end(), ';') == line.end())
+    return line.size();
   bool comment = false;
   for (std::size_t i = from; i < line.size(); ++i) {
     if (!comment && line[i] == ';') return i;

@@ -28,6 +28,7 @@ struct CurveInput {
 };
 
 struct FanucData : MakerData {
+  bool haas = false, lathe = false;  ///< isHaas(), isLathe(), for what every block asks
   bool via_known = false;
   AxisPoint via;      ///< intermediate point of the last G28 or G30, machine coordinates
   AxisSet no_length;  ///< axes whose length offset G28, G30 or G53 has ended (section 5)

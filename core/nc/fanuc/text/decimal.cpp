@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/nc/fanuc/cycles/fanuc_cycles.h"
@@ -79,8 +80,8 @@ NumberRules rulesOf(const IsoContext& c) {
   rules.cycle = c.state.inCycle();
   rules.vector =
       c.state.five.tip == TipControl::kVector || c.state.active[kGroupRadiusComp] == kDirectionComp;
-  rules.haas = isHaas(c);
-  rules.lathe = isLathe(c);
+  rules.haas = fanucData(c).haas;
+  rules.lathe = fanucData(c).lathe;
   rules.increments = c.parameters.flag(FanucParam::kDecimal);
   if (!c.block.present.has('G')) return rules;
   for (const Word& w : c.block.words) {
@@ -154,8 +155,12 @@ bool takeLength(IsoContext& c, const NumberRules& rules, Word& w) {
   } else if (bare) {
     noteInteger(c, rules, w);
   }
-  w.value = rounded(w.value, steps);
-  w.is_integer = std::floor(w.value) == w.value;
+  if (!bare && !w.from_expression && w.decimals <= (steps > 1e3 ? 4 : 3)) {
+    w.value += 0.0;  // no finer than increments as it is written; -0 is 0
+  } else {
+    w.value = rounded(w.value, steps);
+    w.is_integer = std::floor(w.value) == w.value;
+  }
   const double most = rules.inch && !angle ? kMostInch : kMostMm;
   return std::abs(w.value) <= most ||
          c.alarm(SharedAlarm::kOutOfRange, w, fmt::format("at most {:.10g}", most));
@@ -187,12 +192,20 @@ bool checkPoint(IsoContext& c, const NumberRules& rules, const Word& w) {
   return c.alarm(SharedAlarm::kPoint, w, "an integer stands here");
 }
 
+/// A coordinate with a point, no finer than increments and in range: it is what it says by all rules.
+bool saysItself(const Word& w) {
+  const bool coordinate = w.address >= 'X' && w.address <= 'Z';
+  return coordinate && w.point && !w.from_expression && w.decimals <= 3 && std::abs(w.value) <= kMostInch &&
+         (w.value != 0.0 || !w.minus);
+}
+
 }  // namespace
 
 bool takeFanucWords(IsoContext& c) {
-  if (c.block.words.empty()) return true;
+  if (std::all_of(c.block.words.begin(), c.block.words.end(), saysItself)) return true;
   const NumberRules rules = rulesOf(c);
   for (Word& w : c.block.words) {
+    if (saysItself(w)) continue;
     if (!checkPoint(c, rules, w)) return false;
     const bool axis = w.address == kNamedWord && w.axis >= 0;
     if (w.address == 'F') {

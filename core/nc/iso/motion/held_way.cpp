@@ -18,6 +18,7 @@ bool movesOnArc(const BlockPlan& plan) {
 }  // namespace
 
 void holdLength(IsoContext& c, BlockPlan& plan) {
+  if (c.state.length.xyz == plan.next.length.xyz && plan.length_shift.xyz.isZero(0.0)) return;
   AxisPoint old = c.state.length;
   for (int axis = 0; axis < kMainAxes; ++axis) old[axis] += plan.length_shift[axis];
   const AxisPoint& length = plan.next.length;

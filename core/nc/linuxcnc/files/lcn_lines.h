@@ -1,6 +1,8 @@
 // The lines of a file of the machine.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string_view>
 
@@ -16,6 +18,26 @@ void forEachLcnLine(std::string_view text, Take take) {
     take(line);
     if (end == std::string_view::npos) return;
     text.remove_prefix(end + 1);
+  }
+}
+
+/// Calls `take` with each line that has one of the small `letters`, as such or as a capital: long programs
+/// are not taken apart into lines for it.
+template <class Take>
+void forEachLcnLineWith(std::string_view letters, std::string_view text, Take take) {
+  std::array<bool, 256> any{};
+  for (const char c : letters)
+    any[static_cast<unsigned char>(c)] = any[static_cast<unsigned char>(c) & ~0x20u] = true;
+  const auto next = [&](std::size_t from) {
+    while (from < text.size() && !any[static_cast<unsigned char>(text[from])]) ++from;
+    return from;
+  };
+  for (std::size_t at = next(0); at < text.size(); at = next(at)) {
+    const std::size_t first = text.rfind('\n', at) + 1;  // npos + 1 is 0
+    at = std::min(text.find('\n', at), text.size());
+    std::string_view line = text.substr(first, at - first);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    take(line);
   }
 }
 

@@ -187,8 +187,8 @@ std::set<std::string, std::less<>> contoursOf(std::string_view program) {
   std::set<std::string, std::less<>> out;
   LcnLine line;
   LcnFault fault;
-  forEachLcnLine(program, [&](std::string_view text) {
-    if (text.find_first_of("qQ") != std::string_view::npos && takeLcnLine(text, line, fault))
+  forEachLcnLineWith("q", program, [&](std::string_view text) {
+    if (takeLcnLine(text, line, fault))
       if (const std::string_view number = contourOf(line.text); !number.empty()) out.emplace(number);
   });
   return out;
@@ -202,8 +202,8 @@ std::string lcnRotaryWords(std::string_view program) {
   bool corners = false;
   LcnLine line;
   LcnFault fault;
-  forEachLcnLine(program, [&](std::string_view text) {
-    if (text.find_first_of("aAbBcCoO") == std::string_view::npos || !takeLcnLine(text, line, fault)) return;
+  forEachLcnLineWith("abco", program, [&](std::string_view text) {
+    if (!takeLcnLine(text, line, fault)) return;
     if (!line.text.starts_with('o')) return corners ? void() : addRotaryWords(line.text, out);
     const std::size_t digits = std::min(line.text.find_first_not_of("0123456789", 1), line.text.size());
     if (!contours.contains(line.text.substr(1, digits - 1))) return;

@@ -55,8 +55,11 @@ constexpr auto kGrblErrors = std::to_array<std::pair<std::string_view, int>>({
 }  // namespace
 
 LinuxCncFlavour linuxCncFlavour(const IsoContext& c) {
+  if (c.maker != nullptr && linuxCncChannel(c).flavour) return *linuxCncChannel(c).flavour;
   return static_cast<LinuxCncFlavour>(static_cast<int>(c.parameters[LinuxCncParam::kFlavour]));
 }
+
+void beginLinuxCnc(IsoContext& c) { linuxCncChannel(c).flavour = linuxCncFlavour(c); }
 
 bool isGrbl(const IsoContext& c) {
   const LinuxCncFlavour flavour = linuxCncFlavour(c);

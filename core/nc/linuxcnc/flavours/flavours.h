@@ -4,12 +4,13 @@
 #include <string_view>
 
 #include "core/nc/linuxcnc/model/block.h"
+#include "core/nc/linuxcnc/model/flavour.h"
 
 namespace proveout::nc {
 
-enum class LinuxCncFlavour : std::uint8_t { kLinuxCnc, kGrbl, kMach3, kPathPilot, kSmoothie, kGrblHal };
-
 LinuxCncFlavour linuxCncFlavour(const IsoContext& c);
+/// Keeps the flavour at hand, as every block asks for it.
+void beginLinuxCnc(IsoContext& c);
 /// GRBL and those that follow it: errors have numbers, few codes.
 bool isGrbl(const IsoContext& c);
 /// GRBL 1.1 itself and Smoothie: no parameters, no O-words, no cycles.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/nc/iso/context/context.h"
+#include "core/nc/linuxcnc/model/flavour.h"
 #include "core/nc/linuxcnc/model/groups.h"
 #include "core/nc/linuxcnc/stages/comp_stage.h"
 
@@ -104,8 +105,9 @@ class LinuxCncChannel final : public MakerData {
     next = modal;
   }
 
-  LinuxCncModal modal;  ///< in force
-  LinuxCncModal next;   ///< as the block in hand leaves it
+  std::optional<LinuxCncFlavour> flavour;  ///< from when the run begins
+  LinuxCncModal modal;                     ///< in force
+  LinuxCncModal next;                      ///< as the block in hand leaves it
   std::vector<LinuxCncStep> steps;
   LinuxCncNurbs nurbs;
   std::optional<LinuxCncFrames> pending;  ///< planned by the block in hand
@@ -113,7 +115,7 @@ class LinuxCncChannel final : public MakerData {
   LinuxCncToolData tool_data;
   /// The lines of the sub of G70, G71, G72 in the block in hand; nothing: there is no such sub.
   std::optional<std::vector<LinuxCncContourLine>> contour;
-  std::optional<AxisPoint> contour_at;  ///< while that sub runs: where its lines have come to
+  std::optional<AxisPoint> contour_at;          ///< while that sub runs: where its lines have come to
   AxisPoint home28, home30;                     ///< of G28 and G30, machine coordinates
   bool arc_mode_said = false;                   ///< the program has given G90.1 or G91.1
   bool homes_known = false;                     ///< somebody said where they are

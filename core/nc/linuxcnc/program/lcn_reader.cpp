@@ -35,9 +35,9 @@ bool LinuxCncLanguage::read(const SourceText& text, std::size_t line, Block& blo
   o_word_.reset();
   calls_ = false;
   Columns at;
-  const std::size_t first = block.text.find_first_not_of(" \t");
   const bool grbl = isGrbl(c_);
-  const bool command = grbl && first != std::string_view::npos &&
+  const std::size_t first = grbl ? block.text.find_first_not_of(" \t") : std::string_view::npos;
+  const bool command = first != std::string_view::npos &&
                        std::string_view("$?!~").find(block.text[first]) != std::string_view::npos;
   bool good = !command && takeLcnLine(block.text, line_, fault_);
   if (command) {
@@ -170,7 +170,8 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
     return false;
   }
   const std::string_view written = std::string_view(line_.text).substr(begin + 1, pos - begin - 1);
-  word.from_expression = written.find_first_not_of("+-.0123456789") != std::string_view::npos;
+  const auto plain = [](char ch) { return isDigit(ch) || ch == '.' || ch == '+' || ch == '-'; };
+  word.from_expression = !std::all_of(written.begin(), written.end(), plain);
   word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
   if (c == 't' && isPlainGrbl(c_)) word.value = std::trunc(word.value);
   word.minus = word.value < 0.0;
