@@ -18,6 +18,19 @@ int drillAxis(const BlockPlan& plan) {
   return code == nullptr ? plan.next.cycle.drill_axis : code->number10() >= 870 ? 0 : 2;
 }
 
+/// The peck Q, mm. Without a point it counts in thousandths on the control: a number that is no depth says
+/// so.
+double peckOf(IsoContext& c, const BlockPlan& plan, const Word& q) {
+  constexpr double kNoPeck = 100.0;
+  if (pointed(c, q) || countsIncrements(c, q) || q.value < kNoPeck) return lengthOf(plan, q);
+  const double increment = plan.next.active[kGroupUnits] == gcode::kInch ? 1e-4 : 1e-3;
+  const double peck = increment * lengthOf(plan, q);
+  c.warnOnce("peck without a point", "point",
+             fmt::format("Q{:g} without a point counts in least increments: {:g} mm", q.value, peck),
+             q.columns, Severity::kNote);
+  return peck;
+}
+
 /// Heights count from the start level in system A; in B and C as G90 and G91 say.
 bool takeDrillWords(IsoContext& c, BlockPlan& plan) {
   CycleWords& words = plan.next.cycle;
@@ -30,7 +43,7 @@ bool takeDrillWords(IsoContext& c, BlockPlan& plan) {
   }
   if (const Word* q = c.ownWord(plan, 'Q')) {
     if (q->value < 0.0) return c.failWord("045", "the peck Q must not be negative", *q);
-    words.peck = lengthOf(plan, *q);
+    words.peck = peckOf(c, plan, *q);
   }
   if (const Word* p = c.ownWord(plan, 'P')) {
     if (p->value < 0.0) return c.alarm(SharedAlarm::kOutOfRange, *p, "a dwell is not negative");

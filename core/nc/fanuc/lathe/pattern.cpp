@@ -11,6 +11,7 @@
 #include "core/nc/fanuc/lathe/lathe_words.h"
 #include "core/nc/iso/context/words.h"
 #include "core/nc/iso/motion/feed.h"
+#include "core/nc/iso/perform/unused_words.h"
 #include "core/nc/services/contour/contour_offset.h"
 
 namespace proveout::nc {
@@ -130,6 +131,10 @@ bool planPattern(IsoContext& c, BlockPlan& plan) {
 bool planFinishing(IsoContext& c, BlockPlan& plan) {
   ContourLines lines;
   if (!turningPlane(c, plan) || !findContour(c, plan, patternName(plan), lines)) return false;
+  for (const Address a : {'U', 'W'}) {
+    if (const Word* w = c.ownWord(plan, a))
+      tellUnused(c, *w, patternName(plan), "the finish leaves no allowance: G71 to G73 have it");
+  }
   plan.motion.target = plan.start;
   plan.perform = beginFinishing;
   return true;

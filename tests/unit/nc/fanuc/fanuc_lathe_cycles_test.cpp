@@ -210,6 +210,12 @@ TEST(FanucLatheCycles, FaceDrilling) {
   EXPECT_EQ(turned("G85 Z-20. R-3. F.1\nG80\nG1 Z4.\nM30\n", latheAt(0, 5)),
             (Lines{"R 0 2", "F 0 -20", "F 0 2", "R 0 5", "F 0 4"}));
   EXPECT_EQ(turned("G83 Z-20. F.1\nG80\nM30\n", latheAt(0, 5)), (Lines{"F 0 -20", "R 0 5"}));
+  // A peck without a point is one of thousandths where it can be no depth.
+  for (const double decimal : {0.0, 1.0})
+    EXPECT_EQ(
+        turned("G0 X0 Z5.\nG83 Z-20. R-3. Q8000 F.1\nG80\nM30\n", latheAt(0, 5, {{"decimal", decimal}})),
+        turned("G0 X0 Z5.\nG83 Z-20. R-3. Q8. F.1\nG80\nM30\n", latheAt(0, 5)))
+        << decimal;
 }
 
 // fan-16-G84

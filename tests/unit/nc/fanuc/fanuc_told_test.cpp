@@ -48,6 +48,8 @@ TEST(FanucTold, NothingIsTakenInSilence) {
            {ToldBy::kLathe, "G32 Z-20. F1. Q400000", "fanuc-003", true},
            {ToldBy::kLathe, "G92 X39. Z-20. F1. Q400000", "fanuc-003", true},
            {ToldBy::kLathe, "G41 X50. D3", "fanuc-unused-word"},
+           {ToldBy::kLathe, "G70 P10 Q20 U1.\nN10 G0 X20.\nN20 G1 Z-20. F.1", "fanuc-unused-word"},
+           {ToldBy::kLathe, "G83 Z-10. R-1. Q3000 F.1", "fanuc-point"},
            {ToldBy::kHaas, "G13 I10. Z-2. D1 F100. Q5.", "fanuc-unused-word"},
            {ToldBy::kHaas, "G103 P5", "fanuc-noted"},
            {ToldBy::kHaas, "G187 P2 E.01", "fanuc-noted"},
