@@ -79,10 +79,14 @@ const std::vector<PeerTool>& peerTools() {
   return tools;
 }
 
-Ours runHere(const std::string& path) {
+Ours runHere(const std::string& path, const std::string& table) {
   ControlSettings settings;
   settings.start = Vec3::Zero();
-  for (const PeerTool& t : peerTools()) {
+  if (!table.empty()) {
+    settings.parameters["units"] = 1.0;
+    settings.texts["tool_table"] = table;
+  }
+  for (const PeerTool& t : table.empty() ? peerTools() : std::vector<PeerTool>()) {
     settings.length_offsets[t.number] = {t.z, 0.0};
     settings.radius_offsets[t.number] = {t.diameter / 2.0, 0.0};
   }

@@ -19,7 +19,9 @@ struct Ours {
 };
 
 /// A program by LinuxCNC's rules here; programs that it calls are looked for beside it.
-Ours runHere(const std::string& path);
+/// `table` is a tool table in inches, or empty: then peerTools(). Machines and programs begin in inches with
+/// it, as the interpreter does without an INI file.
+Ours runHere(const std::string& path, const std::string& table = {});
 
 enum class Verdict {
   kSame,

@@ -96,13 +96,6 @@ class Canon {
   Vec3 frame_ = Vec3::Zero(), shift_ = Vec3::Zero(), length_ = Vec3::Zero(), at_ = Vec3::Zero();
 };
 
-void writeTools(const std::filesystem::path& path, const std::vector<PeerTool>& tools) {
-  std::ofstream out(path);
-  int pocket = 1;
-  for (const PeerTool& t : tools)
-    out << fmt::format("T{} P{} Z{:.17g} D{:.17g}\n", t.number, pocket++, t.z / kInch, t.diameter / kInch);
-}
-
 std::vector<PeerRun> runsOf(std::istream& said) {
   std::vector<Canon> runs;
   for (std::string line; std::getline(said, line);) {
@@ -123,11 +116,19 @@ std::vector<PeerRun> runsOf(std::istream& said) {
 
 bool hasInterpreter() { return std::filesystem::exists(kModule); }
 
-std::vector<PeerRun> runInterpreter(const std::vector<std::string>& paths, const std::vector<PeerTool>& tools,
+std::string tableOf(const std::vector<PeerTool>& tools) {
+  std::string table;
+  int pocket = 1;
+  for (const PeerTool& t : tools)
+    table += fmt::format("T{} P{} Z{:.17g} D{:.17g}\n", t.number, pocket++, t.z / kInch, t.diameter / kInch);
+  return table;
+}
+
+std::vector<PeerRun> runInterpreter(const std::vector<std::string>& paths, const std::string& table,
                                     const std::string& folder) {
   const std::filesystem::path at(folder);
   std::filesystem::create_directories(at);
-  writeTools(at / "tool.tbl", tools);
+  std::ofstream(at / "tool.tbl") << table;
   {
     std::ofstream list(at / "programs.txt");
     for (const std::string& path : paths) list << path << '\n';

@@ -30,8 +30,12 @@ struct PeerTool {
   double z = 0.0, diameter = 0.0;  ///< mm
 };
 
-/// The programs as the interpreter runs them, one run each, in order; `folder` is for files of the run.
-std::vector<PeerRun> runInterpreter(const std::vector<std::string>& paths, const std::vector<PeerTool>& tools,
+/// Those tools as lines of a tool table.
+std::string tableOf(const std::vector<PeerTool>& tools);
+
+/// The programs as the interpreter runs them, one run each, in order, with the tools of `table`; `folder` is
+/// for files of the run.
+std::vector<PeerRun> runInterpreter(const std::vector<std::string>& paths, const std::string& table,
                                     const std::string& folder);
 
 }  // namespace proveout::peer

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 #include "tests/peer/comparison.h"
 #include "tests/peer/language_programs.h"
@@ -42,7 +43,7 @@ void round(std::vector<Trial>& trials, const std::string& folder, Counts& counts
     write(t);
     paths.push_back(t.path);
   }
-  const std::vector<PeerRun> theirs = runInterpreter(paths, peerTools(), folder);
+  const std::vector<PeerRun> theirs = runInterpreter(paths, tableOf(peerTools()), folder);
   auto run = theirs.begin();
   for (Trial& t : trials) {
     if (!t.open) continue;
@@ -83,14 +84,23 @@ int compareRandom(int count, std::uint64_t seed, const std::string& folder) {
   return counts[Verdict::kDifferent] == 0 ? 0 : 1;
 }
 
+/// The tool table beside a program, as LinuxCNC's own tests have one.
+std::string tableBeside(const std::string& file) {
+  std::ifstream in(std::filesystem::path(file).parent_path() / "test.tbl");
+  std::ostringstream all;
+  all << in.rdbuf();
+  return all.str().empty() ? tableOf(peerTools()) : all.str();
+}
+
 int compareFiles(const std::string& folder, const std::vector<std::string>& files) {
-  const std::vector<PeerRun> theirs = runInterpreter(files, peerTools(), folder);
   Counts counts;
-  for (std::size_t k = 0; k < files.size(); ++k) {
+  for (const std::string& file : files) {
+    const std::string table = tableBeside(file);
     std::string what;
-    const Verdict verdict = compare(theirs[k], runHere(files[k]), what);
+    const Verdict verdict =
+        compare(runInterpreter({file}, table, folder).front(), runHere(file, table), what);
     ++counts[verdict];
-    fmt::print("{} {}: {}\n", verdict == Verdict::kDifferent ? "DIFFERENT" : "same", files[k], what);
+    fmt::print("{} {}: {}\n", verdict == Verdict::kDifferent ? "DIFFERENT" : "same", file, what);
   }
   print(counts);
   return counts[Verdict::kDifferent] == 0 ? 0 : 1;
