@@ -26,7 +26,9 @@ def load_tools(path):
     pockets = [NO_TOOL]
     with open(path, encoding="utf-8") as lines:
         for line in lines:
-            words = {letter: float(value) for letter, value in re.findall(r"([A-Z])([-+.0-9]+)", line)}
+            words = {letter: float(value) for letter, value in re.findall(r"([A-Z])([-+.0-9]+)", line.upper())}
+            if "T" not in words:
+                continue
             pockets.append((int(words["T"]), words.get("X", 0.0), 0.0, words.get("Z", 0.0)) + (0.0,) * 6 + (
                 words.get("D", 0.0), words.get("I", 0.0), words.get("J", 0.0), int(words.get("Q", 0))))
     return pockets
@@ -75,7 +77,7 @@ class Canon:
 
 
 def run(path, tools):
-    parameters = path + ".var"
+    parameters = os.path.join(os.environ["HOME"], "kept.var")
     open(parameters, "w", encoding="utf-8").close()
     os.chdir(os.path.dirname(os.path.abspath(path)))
     result, _ = gcode.parse(path, Canon(tools, parameters))

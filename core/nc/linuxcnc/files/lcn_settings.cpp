@@ -263,10 +263,9 @@ ControlSettings withLcnMachine(const ControlSettings& settings, std::string_view
   const auto lathe = ini.text("DISPLAY", "LATHE");
   if (lathe && (*lathe == "1" || lcnSmall(*lathe) == "true") && !out.parameters.contains("lathe"))
     out.parameters["lathe"] = 1.0;
-  for (const auto& [name, unit] : {std::pair{"CENTER_ARC_RADIUS_TOLERANCE_MM", 1.0},
-                                   std::pair{"CENTER_ARC_RADIUS_TOLERANCE_INCH", 25.4}}) {
-    if (const auto value = ini.number("RS274NGC", name))
-      out.parameters.emplace("arc_tolerance", *value * unit);
+  for (const auto& [name, key] : {std::pair{"CENTER_ARC_RADIUS_TOLERANCE_MM", "arc_tolerance"},
+                                  std::pair{"CENTER_ARC_RADIUS_TOLERANCE_INCH", "arc_tolerance_inch"}}) {
+    if (const auto value = ini.number("RS274NGC", name)) out.parameters.emplace(key, *value);
   }
   return out;
 }

@@ -145,17 +145,18 @@ bool LcnFormula::variable(Value& out) {
   return true;
 }
 
-/// EXISTS[#<name>]; numbered ones are always there.
+/// EXISTS[#<name>]; numbered ones are there up to the last number.
 bool LcnFormula::special(int /*which*/, const FormulaFunction& function, Value& out) {
   const std::size_t begin = i;
   i += function.text.size();
   LcnParameter asked;
   if (!take('[') || peek() != '#')
     return say("exists", "Missing a named parameter in brackets behind EXISTS: EXISTS[#<name>]", begin);
-  if (!parameter(asked)) return false;
+  const bool known = parameter(asked);
+  if (!known && std::string_view(fault_.name) != "parameter-number") return false;
   if (!take(']')) return say("unclosed", "Unclosed expression", begin);
   Value value;
-  const bool there = asked.number >= 0 || names_.named(asked.name, value);
+  const bool there = known && (asked.number >= 0 || names_.named(asked.name, value));
   out = {there ? 1.0 : 0.0, false};
   return true;
 }

@@ -56,7 +56,10 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
   const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
   if (isGrbl(c)) return grblRadii(c, r1, r2);
   const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
-  const double tolerance = c.parameters[LinuxCncParam::kArcTolerance] * std::sqrt(2.0);
+  const bool inch = plan.next.active[kGroupUnits] == gcode::kInch;
+  const double given_mm = inch ? 25.4 * c.parameters[LinuxCncParam::kArcToleranceInch]
+                               : c.parameters[LinuxCncParam::kArcTolerance];
+  const double tolerance = given_mm * std::sqrt(2.0);
   if (difference > 100.0 * tolerance || (difference > tolerance && difference > kLcnRadiusShare * larger)) {
     return lcnFail(c, "arc-radius",
                    fmt::format("Radius to end of arc differs from radius to start: {:.6g} and {:.6g} mm, by "

@@ -23,6 +23,9 @@ const ParameterTable& linuxCncParameters() {
         .add(LinuxCncParam::kArcTolerance,
              number("arc_tolerance", kNoNumber, kChannel, 0.02, 0.0, 10.0,
                     "mm, CENTER_ARC_RADIUS_TOLERANCE: times the root of 2 the radii of an arc may differ"))
+        .add(LinuxCncParam::kArcToleranceInch,
+             number("arc_tolerance_inch", kNoNumber, kChannel, 0.002, 0.0, 0.4,
+                    "inch, CENTER_ARC_RADIUS_TOLERANCE_INCH: the same in G20"))
         .fix(CycleParam::kChipBreakReturn, kPeckRise)
         .fix(CycleParam::kPeckClearance, kPeckRise);
     return table;

@@ -82,6 +82,16 @@ TEST(LinuxCncFunction, Tools) {
 }
 
 // lcn-5-M7
+// lcn-5-M6
+TEST(LinuxCncFunction, ToolChangesStopTheSpindle) {
+  const std::string program = "S100 M3\nT1 M6\nG86 X1 Y1 Z-1 R2 P0\nM2\n";
+  EXPECT_EQ(lcn("G21 G90 F100\n" + program).message(), "Spindle not turning in g86");
+  EXPECT_EQ(lcn("G21 G90 F100\nT1 M6 M3 S100\nG86 X1 Y1 Z-1 R2 P0\nM2\n").error(), "");
+  ControlSettings settings = runAtZero();
+  settings.texts["ini"] = "[EMCIO]\nTOOL_CHANGE_WITH_SPINDLE_ON = 1\n";
+  EXPECT_EQ(IsoRun(ControlId::kLinuxCnc, "G21 G90 F100\n" + program, settings).error(), "");
+}
+
 TEST(LinuxCncFunction, Coolant) {
   EXPECT_EQ(events(lcn("M7\nM8\nM9\n")), (Lines{"M7", "M8", "M9", "end end of text"}));
   EXPECT_EQ(told(lcn("M7\nM8\n(debug,#<_mist> #<_flood>)\nM9\n(debug,#<_mist> #<_flood>)\nM2\n")),

@@ -29,6 +29,8 @@ const std::vector<LcnCase> kLcnMotionCases{
      {"A 10 0 0 c 5.005 0 0 -180"},
      ""},
     // lcn-3-arctol
+    {"inches have a tolerance of their own", "G20\nG2 X5 Y0 I2.4987", {"A 127 0 0 c 63.467 0 0 -180"}, ""},
+    // lcn-3-arctol
     {"radii differ by 0.05 percent", "G2 X400 Y0 I200.05", {"A 400 0 0 c 200.05 0 0 -180"}, ""},
     // lcn-3-arctol
     {"radii differ by more than 100 tolerances", "G2 X9000 Y0 I4498", {}, "linuxcnc-arc-radius"},
@@ -116,6 +118,8 @@ const std::vector<LcnCase> kLcnMotionCases{
     {"synchronous lines and a tap", "S200 M3\nG33 Z-5 K1", {"T 0 0 -5"}, ""},
     // lcn-3-G33.1
     {"tap without the spindle", "G33.1 Z-5 K1", {}, "linuxcnc-spindle-stopped"},
+    // lcn-3-G33
+    {"G33 without the spindle", "G33 Z-5 K1", {}, "linuxcnc-spindle-stopped"},
     // lcn-3-G33
     {"G33 without K", "S200 M3\nG33 Z-5", {}, "linuxcnc-thread"},
 };
