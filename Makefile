@@ -16,7 +16,7 @@ help:
 	@echo 'make test   build the program and the tests, then run the whole test suite'
 	@echo 'make soak   random whole jobs against the laws of tests/soak, some of a wire, and the second soak; MINUTES=$(MINUTES) each, SEED=$(SEED)'
 	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
-	@echo 'make peer   random programs of LinuxCNC here and in its interpreter rs274, where that is installed; COUNT=$(COUNT), SEED=$(SEED)'
+	@echo 'make peer   random programs of LinuxCNC here and in its interpreter, where linuxcnc-uspace is installed; COUNT=$(COUNT), SEED=$(SEED)'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well; BASE=COMMIT builds that'
