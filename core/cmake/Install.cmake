@@ -29,7 +29,7 @@ foreach(header
     core/mesh/image core/mesh/mesh_placement core/mesh/tri_mesh
     core/nc/control/channel_program core/nc/control/control_host core/nc/control/control_info
     core/nc/control/control_settings core/nc/control/machine_event core/nc/control/program_source core/nc/control/run_summary
-    core/nc/control/text_settings
+    core/nc/control/kept_data core/nc/control/text_settings
     core/nc/registry/coverage core/nc/registry/interpreter core/nc/text/template_set core/nc/text/template_text
     removal/grid/start_hole removal/grid/stock removal/grid/stock_shape removal/grid/vdb_tree removal/vdb/vdb_grids
     removal/turning/section/section removal/turning/turned_stock
