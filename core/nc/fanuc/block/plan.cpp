@@ -142,8 +142,6 @@ void tellSettingsOfHaas(IsoContext& c) {
 }  // namespace
 
 void fanucBegin(IsoContext& c) {
-  fanucData(c).haas = isHaas(c);
-  fanucData(c).lathe = isLathe(c);
   tellSettingsOfHaas(c);
   fanucJoinOffsets(c);
   if (c.parameters.flag(FanucParam::kRapid)) return;

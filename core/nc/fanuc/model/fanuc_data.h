@@ -28,16 +28,15 @@ struct CurveInput {
 };
 
 struct FanucData : MakerData {
-  bool haas = false, lathe = false;  ///< isHaas(), isLathe(), for what every block asks
   bool via_known = false;
   AxisPoint via;      ///< intermediate point of the last G28 or G30, machine coordinates
   AxisSet no_length;  ///< axes whose length offset G28, G30 or G53 has ended (section 5)
   CurveInput curve;
   std::optional<std::array<int, 3>> plane_before;  ///< axes of the plane when G12.1 or G07.1 began: u, v, w
-  std::bitset<kGroupCount> programmed;              ///< groups that the program has told a code of
-  std::bitset<kGroupCount> noted;                   ///< groups whose code of power-on a note has told of
-  bool decimal_noted = false;                       ///< a note has told of numbers without a point
-  bool all_told = false;                            ///< of those that power-on codes matter for
+  std::bitset<kGroupCount> programmed;             ///< groups that the program has told a code of
+  std::bitset<kGroupCount> noted;                  ///< groups whose code of power-on a note has told of
+  bool decimal_noted = false;                      ///< a note has told of numbers without a point
+  bool all_told = false;                           ///< of those that power-on codes matter for
 };
 
 inline FanucData& fanucData(IsoContext& c) { return static_cast<FanucData&>(*c.maker); }

@@ -80,8 +80,8 @@ NumberRules rulesOf(const IsoContext& c) {
   rules.cycle = c.state.inCycle();
   rules.vector =
       c.state.five.tip == TipControl::kVector || c.state.active[kGroupRadiusComp] == kDirectionComp;
-  rules.haas = fanucData(c).haas;
-  rules.lathe = fanucData(c).lathe;
+  rules.haas = isHaas(c);
+  rules.lathe = isLathe(c);
   rules.increments = c.parameters.flag(FanucParam::kDecimal);
   if (!c.block.present.has('G')) return rules;
   for (const Word& w : c.block.words) {

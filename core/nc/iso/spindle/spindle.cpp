@@ -236,8 +236,7 @@ std::string checkSpindles(const ControlSettings& settings, const AxisTable& axes
 void resetSpindles(IsoContext& c) {
   Spindles& all = c.registers.spindles;
   all = Spindles{};
-  const int index = indexOf(c, static_cast<std::int64_t>(c.parameters[SpindleParam::kDefault]));
-  all.main = all.programmed = std::max(0, index);
+  all.main = all.programmed = defaultSpindle(c);
   for (const SpindleSettings& s : c.settings.spindles) {
     all.has_axes = all.has_axes || !s.axis.empty();
     all.has_codes = all.has_codes || s.cw_code > 0 || s.ccw_code > 0;

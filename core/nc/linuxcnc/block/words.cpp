@@ -66,8 +66,11 @@ bool lcnInReach(IsoContext& c, const BlockPlan& plan, const AxisPoint& target) {
 }  // namespace
 
 void lcnPolarFrom(IsoContext& c, const BlockPlan& plan, const AxisPoint& from, AxisPoint& target) {
-  const Word* radius = c.word(kNamedWord);
-  const Word* angle = c.word('^');
+  lcnPolarPoint(plan, c.word(kNamedWord), c.word('^'), from, target);
+}
+
+void lcnPolarPoint(const BlockPlan& plan, const Word* radius, const Word* angle, const AxisPoint& from,
+                   AxisPoint& target) {
   const WorkPlane plane = plan.next.workPlane();
   const double u = from[plane.u], v = from[plane.v];
   double r = std::hypot(u, v), theta = radToDeg(std::atan2(v, u));

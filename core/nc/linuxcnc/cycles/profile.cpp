@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/geometry/plane.h"
-#include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
+#include "core/nc/linuxcnc/model/block.h"
 #include "core/nc/linuxcnc/text/lcn_groups.h"
 #include "core/nc/services/contour/contour_shift.h"
 
@@ -17,7 +17,7 @@ constexpr double kLcnNoWay = 1e-9;  ///< mm
 class LcnProfileReader {
  public:
   LcnProfileReader(IsoContext& c, const BlockPlan& plan, const Vec2& from, LinuxCncProfile& out)
-      : c_(c), out_(out), at_(from), unit_(plan.next.unitScale()) {
+      : c_(c), plan_(plan), out_(out), at_(from), unit_(plan.next.unitScale()) {
     x_unit_ = plan.next.active[kGroupLathe] == lcn::kDiameterMode ? 0.5 * unit_ : unit_;
     steps_ = plan.next.incremental();
     absolute_ = plan.next.active[kGroupArcCentre] == lcn::kCentreAbsolute;
@@ -97,7 +97,7 @@ class LcnProfileReader {
         return fails("an arc of a contour has R above 0: it turns by less than 180 degrees");
       const Vec2 chord = to - at_;
       const double half = 0.5 * chord.norm();
-      if (half > radius + 0.00127) return fails("Arc radius too small to reach end point");
+      if (half > radius + kLcnReachMm) return fails("Arc radius too small to reach end point");
       const double height = std::sqrt(std::max(0.0, radius * radius - half * half));
       center = 0.5 * (at_ + to) + leftOf(chord) * ((ccw ? height : -height) / (2.0 * half));
       return true;
@@ -114,12 +114,7 @@ class LcnProfileReader {
     Vec2 center;
     if (!centre(to, ccw, center)) return false;
     const Vec2 a = at_ - center, b = to - center;
-    const double difference = std::abs(a.norm() - b.norm()), larger = std::max(a.norm(), b.norm());
-    const double tolerance = c_.parameters[LinuxCncParam::kArcTolerance] * std::sqrt(2.0);
-    constexpr double kShare = 1e-3;
-    const bool off =
-        difference > 100.0 * tolerance || (difference > tolerance && difference > kShare * larger);
-    if (off || !(a.norm() > 1e-6 && b.norm() > 1e-6))
+    if (!lcnRadiiAgree(c_, plan_, a.norm(), b.norm()) || !(a.norm() > 1e-6 && b.norm() > 1e-6))
       return fails("Radius to end of arc differs from radius to start");
     double sweep = std::atan2(cross2(a, b), a.dot(b));
     if (ccw && sweep <= 0.0) sweep += 2.0 * kPi;
@@ -139,6 +134,7 @@ class LcnProfileReader {
   }
 
   IsoContext& c_;
+  const BlockPlan& plan_;
   LinuxCncProfile& out_;
   const LinuxCncContourLine* line_ = nullptr;
   Vec2 at_;

@@ -6,19 +6,15 @@
 #include <array>
 #include <utility>
 
+#include "core/nc/linuxcnc/flavours/grbl.h"
 #include "core/nc/linuxcnc/parameters/linuxcnc_parameters.h"
 
 namespace proveout::nc {
 namespace {
 
-/// G codes of GRBL 1.1, tenfold.
-constexpr auto kGrblG = std::to_array<int>({0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281,
-                                            300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
-                                            570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940});
-/// What grblHAL has beside them.
+/// What grblHAL has beside the G codes of GRBL 1.1, tenfold.
 constexpr auto kGrblHalG = std::to_array<int>({50,  51,  70,  80,  330, 430, 432, 730, 760, 810, 820, 830,
                                                850, 860, 890, 950, 960, 970, 980, 990, 591, 592, 593});
-constexpr auto kGrblM = std::to_array<int>({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30, 56});
 constexpr auto kGrblHalM =
     std::to_array<int>({48, 49, 50, 51, 53, 60, 61, 62, 63, 64, 65, 66, 67, 68, 70, 71, 72, 73, 98, 99});
 /// Codes that only Mach3 has.
@@ -78,8 +74,7 @@ int grblError(std::string_view name) {
 bool flavourTakesG(IsoContext& c, const Word& w, int code10) {
   const LinuxCncFlavour flavour = linuxCncFlavour(c);
   if (isGrbl(c)) {
-    if (among(kGrblG, code10) || (flavour == LinuxCncFlavour::kGrblHal && among(kGrblHalG, code10)))
-      return true;
+    if (grblHasG(code10) || (flavour == LinuxCncFlavour::kGrblHal && among(kGrblHalG, code10))) return true;
     return lcnFail(c, "unknown-code", fmt::format("{} is not a code of this control", gName(code10)), &w);
   }
   const bool own = flavour == LinuxCncFlavour::kMach3 ? !among(kPathPilotG, code10)
@@ -97,7 +92,7 @@ bool flavourTakesM(IsoContext& c, const Word& w) {
     return c.alarm(SharedAlarm::kNotImplemented, "M47 is not a code of this control", {}, w.columns);
   if (!isGrbl(c)) return true;
   const bool hal = linuxCncFlavour(c) == LinuxCncFlavour::kGrblHal;
-  if (!among(kGrblM, m) && !(hal && among(kGrblHalM, m)))
+  if (!grblHasM(m) && !(hal && among(kGrblHalM, m)))
     return lcnFail(c, "unknown-code", fmt::format("M{} is not a code of this control", m), &w);
   if (m == mcode::kToolChange && !hal)
     c.warnOnce("grbl m6", "tool-change",

@@ -268,6 +268,16 @@ bool grblReports(IsoContext& c, int number) {
 
 }  // namespace
 
+bool grblHasG(int code10) {
+  return std::any_of(kGrblCodesG.begin(), kGrblCodesG.end(),
+                     [&](const GrblCode& g) { return 10 * g.code + g.hundredths / 10 == code10; });
+}
+
+bool grblHasM(int code) {
+  return std::any_of(kGrblCodesM.begin(), kGrblCodesM.end(),
+                     [&](const GrblCode& m) { return m.code == code; });
+}
+
 std::string_view grblMeaning(int number) {
   for (const auto& [known, meaning] : kGrblMeanings)
     if (known == number) return meaning;

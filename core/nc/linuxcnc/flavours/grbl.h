@@ -17,6 +17,9 @@ struct GrblFault {
 /// codes, groups, repeats. `axes`: letters of axes beside X, Y, Z. Takes M6 too, which GRBL has not: posts
 /// write it.
 GrblFault grblLineFault(std::string_view text, std::string_view axes);
+/// Has GRBL 1.1 that G code, tenfold, or that M code? M6 counts.
+bool grblHasG(int code10);
+bool grblHasM(int code);
 /// What an error says.
 std::string_view grblMeaning(int number);
 

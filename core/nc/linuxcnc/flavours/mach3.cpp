@@ -133,13 +133,7 @@ bool mach3Polar(IsoContext& c, BlockPlan& plan, AxisPoint& target) {
   const Word* radius = c.block.findAxis(plane.u);
   const Word* angle = c.block.findAxis(plane.v);
   if (radius == nullptr && angle == nullptr) return true;
-  const double u = plan.start[plane.u], v = plan.start[plane.v];
-  double r = std::hypot(u, v), theta = radToDeg(std::atan2(v, u));
-  const bool step = plan.next.incremental();
-  if (radius != nullptr) r = (step ? r : 0.0) + lengthOf(plan, *radius);
-  if (angle != nullptr) theta = (step ? theta : 0.0) + angle->value;
-  target[plane.u] = r * cosDegrees(theta);
-  target[plane.v] = r * sinDegrees(theta);
+  lcnPolarPoint(plan, radius, angle, plan.start, target);
   return true;
 }
 

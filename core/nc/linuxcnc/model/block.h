@@ -14,7 +14,8 @@ bool planLinuxCncBlock(IsoContext& c, BlockPlan& plan);
 /// The state of power-on where it is not that of the family.
 void powerOnLinuxCnc(const IsoContext& c, IsoState& state);
 
-/// M2, M30: G54 G17 G90 G94 G40 M5 M9 G1 and no feed; all else stays, the shift of G92 and the tool offset too.
+/// M2, M30: G54 G17 G90 G94 G40 M5 M9 G1 and no feed; all else stays, the shift of G92 and the tool offset
+/// too.
 void endStateOfLinuxCnc(IsoContext& c, const IsoState& fresh);
 
 /// An error by the interpreter's own text; `name` stands behind "linuxcnc-". Always false.
@@ -30,6 +31,14 @@ bool lcnAnyAxis(const IsoContext& c);
 bool lcnTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target);
 /// The point that @ and ^ name, seen from `from`, in the plane's coordinates of `target`.
 void lcnPolarFrom(IsoContext& c, const BlockPlan& plan, const AxisPoint& from, AxisPoint& target);
+/// An arc by radius may miss half its chord by so much, mm.
+inline constexpr double kLcnReachMm = 0.00127;
+/// May an arc have those radii at its start and its end, mm? By the tolerance of the program's units.
+bool lcnRadiiAgree(const IsoContext& c, const BlockPlan& plan, double r1, double r2);
+/// The polar point of radius and angle, seen from `from`, into the plane's coordinates of `target`; null: as
+/// `from` has it.
+void lcnPolarPoint(const BlockPlan& plan, const Word* radius, const Word* angle, const AxisPoint& from,
+                   AxisPoint& target);
 /// The integer of a word, within 0.0001. False: it is none, reported.
 bool lcnInteger(IsoContext& c, const Word& w, std::int64_t& out);
 /// Feed of a motion of `length` mm in X, Y, Z and of `turn` degrees; `code` for messages. False: reported.

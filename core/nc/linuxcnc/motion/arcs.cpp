@@ -11,7 +11,6 @@ namespace proveout::nc {
 namespace {
 
 constexpr double kLcnRadiusShare = 1e-3;  ///< of the larger radius that both may differ by
-constexpr double kLcnReachMm = 0.00127;   ///< an arc by radius may miss half its chord by so much
 constexpr double kLcnTinyShare = 1e-7;    ///< nearer than this a chord is a diameter
 constexpr double kLcnMostTurns = 10000.0, kLcnMostOfSpirals = 1000.0;
 
@@ -55,12 +54,8 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
                    "Both offsets must be specified in absolute ijk mode (G90.1): one of I, J, K is missing");
   const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
   if (isGrbl(c)) return grblRadii(c, r1, r2);
-  const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
-  const bool inch = plan.next.active[kGroupUnits] == gcode::kInch;
-  const double given_mm = inch ? 25.4 * c.parameters[LinuxCncParam::kArcToleranceInch]
-                               : c.parameters[LinuxCncParam::kArcTolerance];
-  const double tolerance = given_mm * std::sqrt(2.0);
-  if (difference > 100.0 * tolerance || (difference > tolerance && difference > kLcnRadiusShare * larger)) {
+  if (!lcnRadiiAgree(c, plan, r1, r2)) {
+    const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
     return lcnFail(c, "arc-radius",
                    fmt::format("Radius to end of arc differs from radius to start: {:.6g} and {:.6g} mm, by "
                                "{:.4g} mm or {:.3g} %",
@@ -100,6 +95,16 @@ double lcnSweep(const LcnArc& arc, double turns) {
 }
 
 }  // namespace
+
+bool lcnRadiiAgree(const IsoContext& c, const BlockPlan& plan, double r1, double r2) {
+  const bool inch = plan.next.active[kGroupUnits] == gcode::kInch;
+  const double given_mm = inch ? 25.4 * c.parameters[LinuxCncParam::kArcToleranceInch]
+                               : c.parameters[LinuxCncParam::kArcTolerance];
+  const double tolerance = given_mm * std::sqrt(2.0);
+  const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
+  return difference <= 100.0 * tolerance &&
+         (difference <= tolerance || difference <= kLcnRadiusShare * larger);
+}
 
 bool planLcnArc(IsoContext& c, BlockPlan& plan) {
   plan.perform = performLinuxCncSteps;

@@ -131,8 +131,9 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   Go oWordFails(StatementFlow& flow, const char* name, const std::string& message);
   Go evaluationFails(StatementFlow& flow);
   Go seekingFails(StatementFlow& flow, const std::string& label);
-  bool condition(LcnEvaluator& evaluator, std::size_t& pos, double& value);
-  bool lineEnds(std::size_t pos);
+  bool condition(std::string_view text, const LcnOWord& word, LcnEvaluator& evaluator, double& value);
+  bool lineEnds(std::string_view text, std::size_t pos);
+  LcnOWord oWordOn(std::size_t line, LcnLine& out) const;
   Go branch(const LcnOWords& words, std::size_t index, StatementFlow& flow);
   void missingEnd(const LcnOWords::Statement& s, const char* end);
   Go loop(const LcnOWords& words, std::size_t index, StatementFlow& flow);

@@ -42,11 +42,12 @@ Go LinuxCncLanguage::seekingFails(StatementFlow& flow, const std::string& label)
 }
 
 /// `[expression]` and then nothing. False: fault_ says why.
-bool LinuxCncLanguage::condition(LcnEvaluator& evaluator, std::size_t& pos, double& value) {
-  if (pos >= line_.text.size() || line_.text[pos] != '[') {
-    return fault("left-bracket",
-                 fmt::format("Left bracket missing after '{}'", lcnKeywordName(o_word_->keyword)), pos,
-                 pos + 1);
+bool LinuxCncLanguage::condition(std::string_view text, const LcnOWord& word, LcnEvaluator& evaluator,
+                                 double& value) {
+  std::size_t pos = word.behind;
+  if (pos >= text.size() || text[pos] != '[') {
+    return fault("left-bracket", fmt::format("Left bracket missing after '{}'", lcnKeywordName(word.keyword)),
+                 pos, pos + 1);
   }
   Value out;
   evaluator.forget();
@@ -55,12 +56,20 @@ bool LinuxCncLanguage::condition(LcnEvaluator& evaluator, std::size_t& pos, doub
     return false;
   }
   value = out.number;
-  return lineEnds(pos);
+  return lineEnds(text, pos);
 }
 
-bool LinuxCncLanguage::lineEnds(std::size_t pos) {
-  return pos >= line_.text.size() ||
-         fault("o-word", "Unexpected character after O-word", pos, line_.text.size());
+bool LinuxCncLanguage::lineEnds(std::string_view text, std::size_t pos) {
+  return pos >= text.size() || fault("o-word", "Unexpected character after O-word", pos, text.size());
+}
+
+/// Takes another line of the program with an O-word apart, which was read before.
+LcnOWord LinuxCncLanguage::oWordOn(std::size_t line, LcnLine& out) const {
+  LcnFault none;
+  LcnOWord word;
+  (void)takeLcnLine(c_.calls.top().text->lines()[line], out, none);
+  (void)takeLcnOWord(out.text, out.text.find('o') + 1, word);
+  return word;
 }
 
 Go LinuxCncLanguage::oWord(StatementFlow& flow) {
@@ -144,10 +153,7 @@ Go LinuxCncLanguage::defineSub(const LcnOWords& words, std::size_t index, Statem
 /// call ends; names that are not there yet count 0.
 void LinuxCncLanguage::valueOfDefinition(std::size_t line) {
   LcnLine end;
-  LcnFault none;
-  LcnOWord word;
-  if (!takeLcnLine(c_.calls.top().text->lines()[line], end, none)) return;
-  if (!takeLcnOWord(end.text, end.text.find('o') + 1, word)) return;
+  LcnOWord word = oWordOn(line, end);
   if (word.behind >= end.text.size() || end.text[word.behind] != '[') return;
   LcnEvaluator evaluator(end.text, *this);
   Value value;
@@ -158,24 +164,16 @@ void LinuxCncLanguage::valueOfDefinition(std::size_t line) {
 /// A branch was taken: the control takes the conditions behind it in hand all the same. False: fault_ says
 /// why.
 bool LinuxCncLanguage::evaluatesBranches(const LcnOWords& words, std::size_t index) {
-  const SourceText& text = *c_.calls.top().text;
   for (std::size_t k = index; k != LcnOWords::kNone; k = words.at(k).partner) {
     if (words.at(k).keyword != LcnKeyword::kElseIf) continue;
+    LcnLine line;
+    const LcnOWord word = oWordOn(words.at(k).line, line);
+    LcnEvaluator evaluator(line.text, *this);
     double value = 0.0;
-    LcnLine line = std::exchange(line_, {});
-    LcnOWord word;
-    LcnFault none;
-    // Read before, as every line with an O-word.
-    (void)takeLcnLine(text.lines()[words.at(k).line], line_, none);
-    (void)takeLcnOWord(line_.text, line_.text.find('o') + 1, word);
-    LcnEvaluator evaluator(line_.text, *this);
-    const bool good = condition(evaluator, word.behind, value);
-    line_ = std::move(line);
-    if (!good) {
-      fault_.begin = 0;
-      fault_.end = line_.text.size();
-      return false;
-    }
+    if (condition(line.text, word, evaluator, value)) continue;
+    fault_.begin = 0;  // its places are those of that line
+    fault_.end = line_.text.size();
+    return false;
   }
   return true;
 }
@@ -187,13 +185,13 @@ Go LinuxCncLanguage::branch(const LcnOWords& words, std::size_t index, Statement
     return oWordFails(flow, "undefined-label", fmt::format("undefined O-word label: '{}'", lcnCommand(s)));
   std::size_t pos = o_word_->behind;
   const bool asks = s.keyword == LcnKeyword::kIf || (s.keyword == LcnKeyword::kElseIf && sought);
-  if (!asks && s.keyword != LcnKeyword::kElseIf && !lineEnds(pos)) return evaluationFails(flow);
+  if (!asks && s.keyword != LcnKeyword::kElseIf && !lineEnds(line_.text, pos)) return evaluationFails(flow);
   if (s.keyword == LcnKeyword::kEndIf) return Go::kOn;
   if (s.keyword == LcnKeyword::kElse && sought) return Go::kOn;
   if (asks) {
     LcnEvaluator evaluator(line_.text, *this);
     double value = 0.0;
-    if (!condition(evaluator, pos, value)) return evaluationFails(flow);
+    if (!condition(line_.text, *o_word_, evaluator, value)) return evaluationFails(flow);
     c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
     if (value != 0.0) {
       if (s.partner == LcnOWords::kNone) missingEnd(s, "endif");
@@ -232,7 +230,8 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
   const bool asks = keyword == LcnKeyword::kWhile || keyword == LcnKeyword::kRepeat;
   double value = 0.0;
   LcnEvaluator evaluator(line_.text, *this);
-  if (asks ? !condition(evaluator, pos, value) : !lineEnds(pos)) return evaluationFails(flow);
+  if (asks ? !condition(line_.text, *o_word_, evaluator, value) : !lineEnds(line_.text, pos))
+    return evaluationFails(flow);
   if (keyword == LcnKeyword::kWhile)
     c_.watch.budget().asked(conditionAt(c_.block.text.data()), evaluator.distance(), value != 0.0);
   if (s.partner == LcnOWords::kNone && (keyword == LcnKeyword::kDo || value >= 0.5)) {
@@ -312,7 +311,7 @@ Go LinuxCncLanguage::leaveLoop(const LcnOWords& words, std::size_t index, Statem
                       fmt::format("no matching while/do label: '{}' (found '{}' in line {})", lcnCommand(s),
                                   lcnKeywordName(head.keyword), head.line + 1));
   }
-  if (!lineEnds(o_word_->behind)) return evaluationFails(flow);
+  if (!lineEnds(line_.text, o_word_->behind)) return evaluationFails(flow);
   if (const Go go = jumpBehind(words, head.partner, flow); go != Go::kOn) return go;
   std::size_t& next = c_.calls.top().next;
   const bool ends = s.keyword == LcnKeyword::kBreak, of_do = head.keyword == LcnKeyword::kDo;
@@ -349,7 +348,7 @@ Go LinuxCncLanguage::returnValue(StatementFlow& flow) {
       return evaluationFails(flow);
     }
   }
-  if (!lineEnds(pos)) return evaluationFails(flow);
+  if (!lineEnds(line_.text, pos)) return evaluationFails(flow);
   if (!restoreAtReturn(flow)) return flow.failed(true);
   run_.value = any ? value.number : 0.0;
   run_.value_returned = any;
@@ -386,7 +385,7 @@ Go LinuxCncLanguage::callSub(StatementFlow& flow) {
     }
     label = fmt::format("{}", number);
   }
-  if (!lineEnds(pos)) return evaluationFails(flow);
+  if (!lineEnds(line_.text, pos)) return evaluationFails(flow);
   if (c_.calls.depth() >= kLcnLevels) return oWordFails(flow, "levels", "Too many subroutine levels");
   CallFrame frame;
   if (!findProgram(label, true, frame)) return seekingFails(flow, label);

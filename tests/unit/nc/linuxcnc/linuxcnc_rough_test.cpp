@@ -293,5 +293,15 @@ TEST(LinuxCncRough, CutsFromWhereTheToolIs) {
   EXPECT_EQ(run.motions().back(), "F 16 0 -10");
 }
 
+// lcn-3-arctol: arcs of contours have the tolerance of the program's units, as all arcs.
+TEST(LinuxCncRough, ArcsInInchesHaveTheirOwnTolerance) {
+  const auto run = [](const char* centre) {
+    return runLcn(std::string("G20 G18 G8\nG0 X4 Z1\no100 sub\nG0 X1 Z0\nG1 Z-1\nG2 X2 Z-2 I") + centre +
+                  " K0\nG1 X3\no100 endsub\nG71 Q100 X4 Z1 D0 I0.5 R0.1");
+  };
+  EXPECT_EQ(run("1.0018").error(), "");
+  EXPECT_EQ(run("1.01").error(), "linuxcnc-profile");
+}
+
 }  // namespace
 }  // namespace proveout::test
