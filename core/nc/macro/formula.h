@@ -294,29 +294,13 @@ bool FormulaParser<Control>::primary(Value& out) {
 
 template <class Control>
 bool FormulaParser<Control>::number(double& out) {
-  constexpr std::array<double, 16> kTens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   const std::size_t begin = i;
-  std::uint64_t mantissa = 0;
-  std::size_t digits = 0, fraction = 0;
-  bool point = false;
-  for (; i < text_.size(); ++i) {
-    const char c = text_[i];
-    if (c == '.') {
-      if (point && rules_.point_ends) break;
-      if (point) return failAt(Kind::kSecondPoint, begin);
-      point = true;
-    } else if (isDigit(c)) {
-      if (digits < kTens.size()) mantissa = mantissa * 10 + static_cast<unsigned>(c - '0');
-      ++digits;
-      fraction += point;
-    } else {
-      break;
-    }
-  }
-  if (digits == 0) return failAt(Kind::kNoDigits, begin);
-  if (digits < kTens.size()) {  // both are exact, so that the quotient is the nearest double
-    out = static_cast<double>(mantissa) / kTens[fraction];
+  const PlainNumber read = plainNumberAt(text_, begin);
+  i = read.end;
+  if (peek() == '.' && !rules_.point_ends) return failAt(Kind::kSecondPoint, begin);
+  if (read.digits == 0) return failAt(Kind::kNoDigits, begin);
+  if (read.exact()) {
+    out = read.value();
   } else if (std::from_chars(text_.data() + begin, text_.data() + i, out, std::chars_format::fixed).ec !=
              std::errc()) {
     return failAt(Kind::kBeyondRange, begin);

@@ -21,7 +21,7 @@ inline constexpr Address kNamedWord = '@';       ///< an axis or spindle with a 
 class AddressSet {
  public:
   constexpr AddressSet() = default;
-  constexpr AddressSet(const char* letters) {  // NOLINT: implicit on purpose, tables read better
+  consteval AddressSet(const char* letters) {  // NOLINT: implicit on purpose, tables read better
     for (; *letters; ++letters) bits_ |= bit(*letters);
   }
   constexpr bool has(Address a) const { return (bits_ & bit(a)) != 0; }

@@ -161,7 +161,8 @@ bool Lexer::lexItems(std::string_view line, std::size_t i, Block& block, bool he
         head = false;
         block.kind = classify(line, i);
         if (rules_.short_while && whileLength(line, i) == 2) block.kind = LineKind::kWhile;
-        if (rules_.names_variables && keyword(line, i, "SETVN")) block.kind = LineKind::kNames;
+        if (rules_.names_variables && upper(c) == 'S' && keyword(line, i, "SETVN"))
+          block.kind = LineKind::kNames;
         if (block.kind != LineKind::kBlock) {
           block.statement = i;
           leaveStatement(line.substr(i));
@@ -475,8 +476,7 @@ bool Lexer::lexNumber(std::string_view line, std::size_t& i, Word& word) {
 }
 
 std::size_t blockEnd(std::string_view line, std::size_t from) {
-  if (std::find(line.begin() + static_cast<std::ptrdiff_t>(from), line.end(), ';') == line.end())
-    return line.size();
+  if (line.find(';', from) == std::string_view::npos) return line.size();
   bool comment = false;
   for (std::size_t i = from; i < line.size(); ++i) {
     if (!comment && line[i] == ';') return i;

@@ -344,8 +344,8 @@ class LevelMaker {
     for (const CurvedRung& rung : verdict.curved) out.curves.push_back({i, k, rung});
     if (m != kNone) passed[m] = true;
     if (!verdict.open.empty()) {
-      OpenWall &below = out.below.emplace_back(OpenWall{i, m}),
-               &above = out.above.emplace_back(OpenWall{m, k});
+      OpenWall &below = out.below.emplace_back(OpenWall{i, m, {}}),
+               &above = out.above.emplace_back(OpenWall{m, k, {}});
       for (const OpenPart& part : verdict.open) {
         below.parts.push_back({part.lower, part.middle});
         above.parts.push_back({part.middle, part.upper});

@@ -108,7 +108,11 @@ void noteLength(IsoContext& c, const BlockPlan& plan) {
 std::unique_ptr<MakerData> makeFanucData(IsoContext&) { return std::make_unique<FanucData>(); }
 
 bool planFanuc(IsoContext& c, BlockPlan& plan) {
-  if (!planBlock(c, plan) || !checkOpenCurve(c, plan)) return false;
+  if (!planBlock(c, plan)) return false;
+  const FanucData& data = fanucData(c);
+  const bool quiet = data.all_told && !data.curve.open() && data.no_length.none();
+  if (quiet && !plan.any_group) return true;  // a block of the words that hold
+  if (!checkOpenCurve(c, plan)) return false;
   noteUnits(c, plan);
   noteDefaults(c, plan);
   noteFixture(c, plan);
@@ -122,10 +126,7 @@ void fanucPowerOn(const IsoContext& c, IsoState& state) {
   const int given = static_cast<int>(c.parameters[FanucParam::kPowerOnPlane]);
   const int plane = given != 0 ? given : isLathe(c) ? 18 : 17;
   state.active[kGroupPlane] = 10 * plane;
-  const WorkPlane axes{PlaneFrame(state.plane())};
-  state.axes.plane_u = static_cast<std::int8_t>(axes.u);
-  state.axes.plane_v = static_cast<std::int8_t>(axes.v);
-  state.axes.plane_w = static_cast<std::int8_t>(axes.w);
+  state.takeMainPlane();
 }
 
 namespace {

@@ -185,7 +185,7 @@ bool finishFanucCycle(IsoContext& c, const BlockPlan& plan, DrillCycle& cycle) {
 
 CycleRules makeFanucRules(bool haas) {
   CycleRules rules;
-  rules.repeats = haas ? "L" : "KL";
+  rules.repeats = haas ? AddressSet("L") : AddressSet("KL");
   rules.r_names_hole = true;
   rules.signed_peck = true;
   rules.percent_by_i = false;

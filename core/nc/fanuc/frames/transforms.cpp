@@ -166,9 +166,11 @@ void tellMachineMoves(IsoContext& c, const BlockPlan& plan) {
 }  // namespace
 
 bool fanucTransformsOff(IsoContext& c, BlockPlan& plan) {
+  const bool polar = plan.next.active[kGroupPolarData] == gcode::kPolarData;
+  if (!plan.any_group && !polar && !plan.next.transforms.any()) return true;
   tellNormalDirection(c, plan);
   if (!fanucTiltOff(c, plan)) return false;
-  if (plan.next.active[kGroupPolarData] == gcode::kPolarData && !polarArcByRadius(c, plan)) return false;
+  if (polar && !polarArcByRadius(c, plan)) return false;
   if (plan.by_group[kGroupPlane] && c.state.transforms.any() && !planePlan(c, plan)) return false;
   Transforms& t = plan.next.transforms;
   if (!t.any()) return true;

@@ -56,7 +56,7 @@ bool planHaasHoles(IsoContext& c, BlockPlan& plan) {
   }
   HolePattern pattern;
   if (!readPattern(c, plan, pattern)) return false;
-  plan.claimed = plan.claimed | AddressSet(code10 == kHoleArc ? "IJKL" : "IJL");
+  plan.claimed = plan.claimed | (code10 == kHoleArc ? AddressSet("IJKL") : AddressSet("IJL"));
   if (!planCycleAtPoints(c, plan, fanucCycleRulesOf(true))) return false;
   const WorkPlane plane = planeOf(plan.next);
   const Vec2 center(plan.motion.target[plane.u], plan.motion.target[plane.v]);

@@ -26,19 +26,12 @@ bool planeHasRotary(const IsoContext& c, const AxisModal& modal) {
   return c.axes.at(modal.plane_u).rotary() != c.axes.at(modal.plane_v).rotary();
 }
 
-/// `w`: the axis across the plane.
-void choosePlane(AxisModal& modal, int u, int v, int w) {
-  modal.plane_u = static_cast<std::int8_t>(u);
-  modal.plane_v = static_cast<std::int8_t>(v);
-  modal.plane_w = static_cast<std::int8_t>(w);
-}
-
 /// The plane from before the mode is there again behind it.
 void restorePlane(IsoContext& c, BlockPlan& plan) {
   const FanucData& data = fanucData(c);
   if (plan.next.axes.mode != VirtualMode::kOff || !data.plane_before) return;
   const auto& [u, v, w] = *data.plane_before;
-  choosePlane(plan.next.axes, u, v, w);
+  plan.next.axes.setPlane(u, v, w);
 }
 
 void keepPlane(IsoContext& c) {
@@ -56,7 +49,7 @@ bool planFanucPolarOn(IsoContext& c, BlockPlan& plan) {
     return c.fail("145",
                   "illegal conditions in polar coordinate interpolation: G12.1 stands alone in its block");
   if (modal.mode == VirtualMode::kOff && !planeHasRotary(c, modal) && rotary >= 0)
-    choosePlane(modal, 0, rotary, 2);
+    modal.setPlane(0, rotary, 2);
   if (!planPolarOn(c, plan)) return false;
   keepPlane(c);
   return true;
@@ -85,9 +78,9 @@ bool planFanucCylinder(IsoContext& c, BlockPlan& plan) {
     const int along = name == "A" ? 0 : name == "B" ? 1 : 2;  // the cylinder's axis
     const int radial = along == 2 ? 0 : 2;
     if (modal.plane_u == along) {
-      choosePlane(modal, along, word->axis, radial);
+      modal.setPlane(along, word->axis, radial);
     } else {
-      choosePlane(modal, word->axis, along, radial);
+      modal.setPlane(word->axis, along, radial);
     }
   }
   if (!planCylinder(c, plan)) return false;
@@ -97,7 +90,7 @@ bool planFanucCylinder(IsoContext& c, BlockPlan& plan) {
     keepPlane(c);
   } else {
     const AxisModal& before = c.state.axes;
-    choosePlane(modal, before.plane_u, before.plane_v, before.plane_w);  // it stays off
+    modal.setPlane(before.plane_u, before.plane_v, before.plane_w);  // it stays off
   }
   return true;
 }

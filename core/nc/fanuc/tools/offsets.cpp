@@ -97,6 +97,7 @@ void fanucJoinOffsets(IsoContext& c) {
 }
 
 bool fanucOffsets(IsoContext& c, BlockPlan& plan) {
+  if (!plan.any_group && (c.block.present & AddressSet("HD")).empty()) return true;
   IsoState& next = plan.next;
   const OffsetTables& table = c.registers.offsets;
   if (const Word* h = c.word('H')) {

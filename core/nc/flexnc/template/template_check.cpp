@@ -110,7 +110,9 @@ AddressSet aboveZero(const TemplateRow& row, TemplateForm form) {
   return form == TemplateForm::kRoughing ? length | AddressSet("B") : length;
 }
 /// Below 0 some profiles end in front of the face, which has a note of its own.
-AddressSet notBelowZero(const TemplateRow& row) { return row.z_to_end ? "VBARUY" : "ZVBARUY"; }
+AddressSet notBelowZero(const TemplateRow& row) {
+  return row.z_to_end ? AddressSet("VBARUY") : AddressSet("ZVBARUY");
+}
 
 }  // namespace
 

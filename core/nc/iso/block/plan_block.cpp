@@ -412,10 +412,10 @@ bool planLength(IsoContext& c, BlockPlan& plan) {
     plan.new_chain = c.chainOf(next);
     plan.chain = &*plan.new_chain;
     plan.start = holdsPosition(c, plan) ? c.position : plan.chain->programOf(c.machine);
+    if (c.dialect.rules.holds_length) holdLength(c, plan);
   } else {
     plan.chain = &c.chain;
   }
-  if (c.dialect.rules.holds_length) holdLength(c, plan);
   return true;
 }
 

@@ -35,6 +35,12 @@ struct AxisModal {
   double thread_lead = 0.0;              ///< mm/turn, of G33; 0: none yet
   bool threading = false;  ///< the last block cut a thread: the next one goes on without a new start
 
+  /// The plane by its axes; `w` is across it.
+  void setPlane(int u, int v, int w) {
+    plane_u = static_cast<std::int8_t>(u);
+    plane_v = static_cast<std::int8_t>(v);
+    plane_w = static_cast<std::int8_t>(w);
+  }
   /// mm of the unrolled cylinder for a degree.
   double mmPerDegree() const { return cylinder_mm * 0.017453292519943295; }
 };

@@ -108,9 +108,12 @@ struct IsoState {
   WorkPlane workPlane() const { return WorkPlane(axes.plane_u, axes.plane_v, axes.plane_w); }
   void takePlane(const IsoState& other) {
     active[kGroupPlane] = other.active[kGroupPlane];
-    axes.plane_u = other.axes.plane_u;
-    axes.plane_v = other.axes.plane_v;
-    axes.plane_w = other.axes.plane_w;
+    axes.setPlane(other.axes.plane_u, other.axes.plane_v, other.axes.plane_w);
+  }
+  /// The axes of the plane are those of its code.
+  void takeMainPlane() {
+    const PlaneFrame frame(plane());
+    axes.setPlane(frame.u(), frame.v(), frame.w());
   }
   /// The main plane: letters of centres, direction of drilling.
   Plane plane() const {

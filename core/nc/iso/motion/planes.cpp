@@ -31,10 +31,7 @@ bool planPlane(IsoContext& c, BlockPlan& plan) {
   }
   // A rotary axis takes the place of the linear axis that is not named.
   if (rotary_words == 1 && named[0] != named[1]) axes[named[0] ? 1 : 0] = rotary;
-  AxisModal& modal = plan.next.axes;
-  modal.plane_u = static_cast<std::int8_t>(axes[0]);
-  modal.plane_v = static_cast<std::int8_t>(axes[1]);
-  modal.plane_w = static_cast<std::int8_t>(frame.w());
+  plan.next.axes.setPlane(axes[0], axes[1], frame.w());
   return true;
 }
 

@@ -180,7 +180,7 @@ Reading IsoControl::read() {
   if (block.skip > 0 && c.settings.skip_switches[static_cast<std::size_t>(block.skip - 1)])
     return Reading::kSkipped;
   bool good = lexed || c.fail(lexer_.error());
-  if (c.dialect.lexing.comments_end_in_line) noteComments(c);
+  if (block.nested_at.begin > 0 || block.open_at.begin > 0) noteComments(c);
   if (c.dialect.lexing.named_programs && block.has_file && tape_.onlyHeaderAbove(c.calls))
     block.has_file = false;  // the name of the program
   if (good && block.percent) {

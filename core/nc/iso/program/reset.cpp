@@ -74,10 +74,7 @@ IsoState powerOnState(const IsoContext& c) {
   s.feed = c.parameters[s.perTurn() ? MotionParam::kDefaultFeedPerTurn : MotionParam::kDefaultFeedPerMinute];
   s.surface_speed = c.parameters[SpindleParam::kSurfaceSpeed];
   s.surface_axis = std::max(0, c.axes.byNumber(static_cast<int>(c.parameters[SpindleParam::kSurfaceAxis])));
-  const WorkPlane plane{PlaneFrame(s.plane())};
-  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
-  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
-  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+  s.takeMainPlane();
   s.axes.diameter = diameterAxes(c);
   s.tool = c.settings.tool;
   if (c.dialect.power_on != nullptr) c.dialect.power_on(c, s);

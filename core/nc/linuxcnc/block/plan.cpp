@@ -183,11 +183,7 @@ bool lcnPlanPlane(IsoContext& c, BlockPlan& plan) {
   if (code->code10 != c.state.active[kGroupPlane] && c.state.compOn())
     return lcnFail(c, "comp", "Cannot change planes with cutter radius compensation on");
   lcnSet(plan, kGroupPlane);
-  const WorkPlane plane{PlaneFrame(plan.next.plane())};
-  AxisModal& axes = plan.next.axes;
-  axes.plane_u = static_cast<std::int8_t>(plane.u);
-  axes.plane_v = static_cast<std::int8_t>(plane.v);
-  axes.plane_w = static_cast<std::int8_t>(plane.w);
+  plan.next.takeMainPlane();
   return true;
 }
 
@@ -295,10 +291,7 @@ void powerOnLinuxCnc(const IsoContext& c, IsoState& s) {
   if (isGrbl(c)) s.active[kGroupMotion] = gcode::kRapid;
   if (!c.parameters.flag(LinuxCncParam::kLathe)) return;
   s.active[kGroupPlane] = gcode::kPlaneZX;
-  const WorkPlane plane{PlaneFrame(Plane::kZX)};
-  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
-  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
-  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+  s.takeMainPlane();
 }
 
 }  // namespace proveout::nc

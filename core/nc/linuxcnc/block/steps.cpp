@@ -21,7 +21,6 @@ void lcnFill(IsoContext& c, const BlockPlan& plan, PathItem& item) {
 /// A motion from where the program stands to the step's end.
 bool lcnMove(IsoContext& c, const BlockPlan& plan, const LinuxCncStep& step) {
   using Kind = LinuxCncStep::Kind;
-  if (c.watch.workOver(c.calls.place())) return false;
   PathItem item;
   lcnFill(c, plan, item);
   item.kind = step.kind == Kind::kArc ? PathItem::Kind::kArc : PathItem::Kind::kLine;
@@ -78,6 +77,8 @@ bool performLinuxCncSteps(IsoContext& c, BlockPlan& plan) {
     own.comp.engage(plan.next.workPlane().of(c.chain.workOf(c.position)));
   for (const LinuxCncStep& step : own.steps) {
     const bool moves = step.kind <= LinuxCncStep::Kind::kThread;
+    // Cycles make many steps of one block.
+    if (moves && &step != own.steps.data() && c.watch.workOver(c.calls.place())) return false;
     if (moves ? !lcnMove(c, plan, step) : !lcnFunction(c, plan, step)) return false;
   }
   if (!plan.next.compOn() && own.comp.linked() && !own.comp.end()) return false;

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace proveout::nc {
 
@@ -25,12 +25,20 @@ void forEachLcnLine(std::string_view text, Take take) {
 /// are not taken apart into lines for it.
 template <class Take>
 void forEachLcnLineWith(std::string_view letters, std::string_view text, Take take) {
-  std::array<bool, 256> any{};
+  struct Found {
+    char letter;
+    std::size_t at;
+  };
+  std::vector<Found> found;  // each letter apart: most texts have few of them
   for (const char c : letters)
-    any[static_cast<unsigned char>(c)] = any[static_cast<unsigned char>(c) & ~0x20u] = true;
+    for (const char letter : {c, static_cast<char>(c & ~0x20)}) found.push_back({letter, text.find(letter)});
   const auto next = [&](std::size_t from) {
-    while (from < text.size() && !any[static_cast<unsigned char>(text[from])]) ++from;
-    return from;
+    std::size_t first = text.size();
+    for (Found& of : found) {
+      if (of.at < from) of.at = text.find(of.letter, from);
+      first = std::min(first, of.at);
+    }
+    return first;
   };
   for (std::size_t at = next(0); at < text.size(); at = next(at)) {
     const std::size_t first = text.rfind('\n', at) + 1;  // npos + 1 is 0

@@ -50,20 +50,11 @@ constexpr auto kGrblErrors = std::to_array<std::pair<std::string_view, int>>({
 
 }  // namespace
 
-LinuxCncFlavour linuxCncFlavour(const IsoContext& c) {
-  if (c.maker != nullptr && linuxCncChannel(c).flavour) return *linuxCncChannel(c).flavour;
+LinuxCncFlavour givenFlavour(const IsoContext& c) {
   return static_cast<LinuxCncFlavour>(static_cast<int>(c.parameters[LinuxCncParam::kFlavour]));
 }
 
-void beginLinuxCnc(IsoContext& c) { linuxCncChannel(c).flavour = linuxCncFlavour(c); }
-
-bool isGrbl(const IsoContext& c) {
-  const LinuxCncFlavour flavour = linuxCncFlavour(c);
-  return flavour == LinuxCncFlavour::kGrbl || flavour == LinuxCncFlavour::kSmoothie ||
-         flavour == LinuxCncFlavour::kGrblHal;
-}
-
-bool isPlainGrbl(const IsoContext& c) { return isGrbl(c) && linuxCncFlavour(c) != LinuxCncFlavour::kGrblHal; }
+void beginLinuxCnc(IsoContext& c) { linuxCncChannel(c).flavour = givenFlavour(c); }
 
 int grblError(std::string_view name) {
   for (const auto& [known, number] : kGrblErrors)

@@ -8,13 +8,24 @@
 
 namespace proveout::nc {
 
-LinuxCncFlavour linuxCncFlavour(const IsoContext& c);
+/// As the settings of the run say.
+LinuxCncFlavour givenFlavour(const IsoContext& c);
 /// Keeps the flavour at hand, as every block asks for it.
 void beginLinuxCnc(IsoContext& c);
+inline LinuxCncFlavour linuxCncFlavour(const IsoContext& c) {
+  const auto& kept = linuxCncChannel(c).flavour;
+  return kept ? *kept : givenFlavour(c);
+}
 /// GRBL and those that follow it: errors have numbers, few codes.
-bool isGrbl(const IsoContext& c);
+inline bool isGrbl(const IsoContext& c) {
+  const LinuxCncFlavour flavour = linuxCncFlavour(c);
+  return flavour == LinuxCncFlavour::kGrbl || flavour == LinuxCncFlavour::kSmoothie ||
+         flavour == LinuxCncFlavour::kGrblHal;
+}
 /// GRBL 1.1 itself and Smoothie: no parameters, no O-words, no cycles.
-bool isPlainGrbl(const IsoContext& c);
+inline bool isPlainGrbl(const IsoContext& c) {
+  return isGrbl(c) && linuxCncFlavour(c) != LinuxCncFlavour::kGrblHal;
+}
 
 /// Whether the flavour has the G or M code. False: reported.
 bool flavourTakesG(IsoContext& c, const Word& w, int code10);

@@ -8,11 +8,6 @@ LinuxCncChannel::LinuxCncChannel(IsoContext& c) : comp(c.pipe, c.alarms, c) {
   home30 = AxisPoint(c.settings.reference_points[1].value_or(Vec3::Zero()));
 }
 
-LinuxCncChannel& linuxCncChannel(IsoContext& c) { return static_cast<LinuxCncChannel&>(*c.maker); }
-const LinuxCncChannel& linuxCncChannel(const IsoContext& c) {
-  return static_cast<const LinuxCncChannel&>(*c.maker);
-}
-
 std::unique_ptr<MakerData> makeLinuxCncChannel(IsoContext& c) { return std::make_unique<LinuxCncChannel>(c); }
 
 }  // namespace proveout::nc

@@ -130,8 +130,10 @@ class LinuxCncChannel final : public MakerData {
 };
 
 /// That of a channel of this control.
-LinuxCncChannel& linuxCncChannel(IsoContext& c);
-const LinuxCncChannel& linuxCncChannel(const IsoContext& c);
+inline LinuxCncChannel& linuxCncChannel(IsoContext& c) { return static_cast<LinuxCncChannel&>(*c.maker); }
+inline const LinuxCncChannel& linuxCncChannel(const IsoContext& c) {
+  return static_cast<const LinuxCncChannel&>(*c.maker);
+}
 std::unique_ptr<MakerData> makeLinuxCncChannel(IsoContext& c);
 
 }  // namespace proveout::nc

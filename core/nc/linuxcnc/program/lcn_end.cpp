@@ -11,10 +11,7 @@ void endStateOfLinuxCnc(IsoContext& c, const IsoState& fresh) {
   s.active[kGroupWorkSystem] = gcode::kWorkSystem1;
   s.work_system = fresh.work_system;
   s.active[kGroupPlane] = gcode::kPlaneXY;
-  const WorkPlane plane{PlaneFrame(Plane::kXY)};
-  s.axes.plane_u = static_cast<std::int8_t>(plane.u);
-  s.axes.plane_v = static_cast<std::int8_t>(plane.v);
-  s.axes.plane_w = static_cast<std::int8_t>(plane.w);
+  s.takeMainPlane();
   s.active[kGroupDistance] = gcode::kAbsolute;
   s.active[kGroupFeedMode] = gcode::kFeedPerMinute;
   s.active[kGroupRadiusComp] = gcode::kCompOff;

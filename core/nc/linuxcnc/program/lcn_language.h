@@ -69,6 +69,9 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
   bool readItems(std::size_t pos, Block& block);
   bool readNumber(std::size_t& pos, Block& block);
   bool readWord(std::size_t& pos, Block& block);
+  bool otherUse(char letter) const;
+  bool plainValue(std::size_t& pos, Word& word) const;
+  bool evaluatedValue(std::size_t& pos, Word& word);
   bool readAssignment(std::size_t& pos);
   bool readPercent(const SourceText& text, std::size_t line, Block& block);
   bool takeCode(Word& word, std::size_t begin, std::size_t end);

@@ -9,6 +9,7 @@
 #include "core/nc/linuxcnc/flavours/grbl.h"
 #include "core/nc/linuxcnc/program/lcn_language.h"
 #include "core/nc/linuxcnc/text/lcn_groups.h"
+#include "core/nc/macro/formula_text.h"
 
 namespace proveout::nc {
 namespace {
@@ -150,11 +151,7 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
   if (main || further) word.axis = static_cast<std::int8_t>(c_.axes.names().axisOfLetter(word.address));
   if (word.address == '\0')
     return fault("bad-character", fmt::format("Bad character '{}' used", c), pos, pos + 1);
-  // A and B of G68 in Mach3 are the centre.
-  const bool centre = linuxCncFlavour(c_) == LinuxCncFlavour::kMach3 && (c == 'a' || c == 'b');
-  // In a contour A and C are corners, U and W steps.
-  const bool corner = (c == 'a' || c == 'c' || c == 'u' || c == 'w') && inContour();
-  if (further && word.axis < 0 && !centre && !corner) {
+  if (further && word.axis < 0 && !otherUse(c)) {
     return fault(
         "bad-character",
         fmt::format("Bad character '{}' used: the machine of the job has no axis {} ([machine], or `axes` of "
@@ -162,28 +159,62 @@ bool LinuxCncLanguage::readWord(std::size_t& pos, Block& block) {
                     c, word.address),
         pos, pos + 1);
   }
-  LcnEvaluator evaluator(line_.text, *this);
-  Value value;
-  if (!evaluator.value(++pos, value)) {
-    fault_ = evaluator.fault();
+  ++pos;
+  if (!plainValue(pos, word) && !evaluatedValue(pos, word)) {
     fault_.begin = begin;
     return false;
   }
-  const std::string_view written = std::string_view(line_.text).substr(begin + 1, pos - begin - 1);
-  const auto plain = [](char ch) { return isDigit(ch) || ch == '.' || ch == '+' || ch == '-'; };
-  word.from_expression = !std::all_of(written.begin(), written.end(), plain);
-  word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
   if (c == 't' && isPlainGrbl(c_)) word.value = std::trunc(word.value);
   word.minus = word.value < 0.0;
   word.columns = line_.columnsOf(begin, pos);
-  if (!(std::abs(word.value) <= kMaxValue))
-    return fault("out-of-range", fmt::format("{} is beyond all machines", written), begin, pos);
-  if (word.from_expression) word.reads = c_.origins.listOf(evaluator.reads());
+  if (!(std::abs(word.value) <= kMaxValue)) {
+    return fault("out-of-range",
+                 fmt::format("{} is beyond all machines", line_.text.substr(begin + 1, pos - begin - 1)),
+                 begin, pos);
+  }
   const bool apart = word.columns.end - word.columns.begin != static_cast<int>(pos - begin);
   if (word.from_expression || apart || main != (word.axis >= 0)) block.plain = false;
   if ((c == 'g' || c == 'm') && !takeCode(word, begin, pos)) return false;
   word.is_integer = word.value == std::floor(word.value);
   return storeWord(word, begin, pos, block);
+}
+
+/// Whether the letter of an axis that the machine has not means something else here.
+bool LinuxCncLanguage::otherUse(char letter) const {
+  // A and B of G68 in Mach3 are the centre; in a contour A and C are corners, U and W steps.
+  const bool centre = letter == 'a' || letter == 'b';
+  if (centre && linuxCncFlavour(c_) == LinuxCncFlavour::kMach3) return true;
+  return letter != 'b' && letter != 'v' && inContour();
+}
+
+/// A number with a sign or none, the most common value. False: something else stands there, nothing is read.
+bool LinuxCncLanguage::plainValue(std::size_t& pos, Word& word) const {
+  const std::string& text = line_.text;
+  const char sign = pos < text.size() ? text[pos] : '\0';
+  const bool minus = sign == '-';
+  const PlainNumber number = plainNumberAt(text, minus || sign == '+' ? pos + 1 : pos);
+  const bool goes_on = number.end < text.size() && text[number.end] == '.';
+  if (number.digits == 0 || !number.exact() || goes_on) return false;
+  const double value = number.value();
+  word.value = minus && value != 0.0 ? -value : value;  // no -0
+  pos = number.end;
+  return true;
+}
+
+/// Any other value.
+bool LinuxCncLanguage::evaluatedValue(std::size_t& pos, Word& word) {
+  const std::size_t begin = pos;
+  LcnEvaluator evaluator(line_.text, *this);
+  Value value;
+  if (!evaluator.value(pos, value)) {
+    fault_ = evaluator.fault();
+    return false;
+  }
+  const std::string_view written = std::string_view(line_.text).substr(begin, pos - begin);
+  word.from_expression = written.find_first_not_of("0123456789.+-") != std::string_view::npos;
+  word.value = value.number == 0.0 ? 0.0 : value.number;  // no -0
+  if (word.from_expression) word.reads = c_.origins.listOf(evaluator.reads());
+  return true;
 }
 
 /// G and M numbers are what lies near.

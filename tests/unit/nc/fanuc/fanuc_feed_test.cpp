@@ -26,11 +26,6 @@ bool tellsOf(const IsoRun& run, const std::string& part) {
   }
   return false;
 }
-double timeOf(const IsoRun& run) {
-  double time = 0.0;
-  for (const Motion& m : run.path.motions) time += m.time_s;
-  return time;
-}
 
 // fan-4-G04 fan-3-G09: acceptance 1
 TEST(FanucFeed, Dwells) {

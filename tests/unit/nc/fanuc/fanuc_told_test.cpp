@@ -73,7 +73,6 @@ TEST(FanucTold, ParametersOfOneBit) {
     EXPECT_EQ(run.error(), "") << text << run.message();
     return run.motions();
   };
-  using Lines = std::vector<std::string>;
   // 3401#0 DPI: 1 is the rule of a calculator.
   EXPECT_EQ(motions("G10 L52\nN3401 Q0 R0\nG11\nG0 X5"), (Lines{"R 0.005 0 0"}));
   EXPECT_EQ(motions("G10 L52\nN3401 R00000000\nG11\nG10 L52\nN3401 R00000001\nG11\nG0 X5"),

@@ -21,11 +21,6 @@ ControlSettings haasSettings(Settings parameters = {}) {
 IsoRun haas(const std::string& text, const ControlSettings& settings = haasSettings()) {
   return {ControlId::kFanucMill, "O1\nG21 G90 G17 F100. S500\n" + text + "\nM30\n", settings};
 }
-IsoRun haasAt(const Vec3& start, const std::string& text, Settings parameters = {}) {
-  ControlSettings settings = haasSettings(std::move(parameters));
-  settings.start = start;
-  return haas(text, settings);
-}
 
 struct HaasRow {
   const char* name;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct PostedProgram {
     return std::filesystem::path(PROVEOUT_SOURCE_DIR) / "tests/unit/nc/posted";
   }
 };
+
+/// Names of tests must not hold addresses.
+inline void PrintTo(const PostedProgram& program, std::ostream* out) { *out << program.file; }
 
 inline std::vector<PostedProgram> postedPrograms() {
   std::vector<PostedProgram> all;

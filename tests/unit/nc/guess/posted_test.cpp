@@ -13,9 +13,6 @@ namespace {
 
 constexpr double kTop = 200.0;  // mm, machine zero above the workpiece
 
-/// Names of tests must not hold addresses.
-void PrintTo(const PostedProgram& program, std::ostream* out) { *out << program.file; }
-
 /// The operator has set the zero point and a radius of 5 for D1; machine zero is at the top of travel.
 ControlSettings settingsOf(const PostedProgram& program, ControlId control) {
   ControlSettings settings;
