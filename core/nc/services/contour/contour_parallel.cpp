@@ -192,7 +192,7 @@ class ParallelPieces {
   bool keeps(const Vec2& p) const {
     const Vec3 at(p.x(), p.y(), 0.0);
     bool far = true;
-    near_.forEachPlace(Box3(at, at).inflated(distance_), [&](std::uint32_t place) {
+    near_.forEachPlace(Box3{at, at}.inflated(distance_), [&](std::uint32_t place) {
       if (far) far = distanceFrom(contour_[near_.order()[place]], p) >= distance_ - kKept;
     });
     return far;
