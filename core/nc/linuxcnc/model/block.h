@@ -31,7 +31,7 @@ bool lcnAnyAxis(const IsoContext& c);
 bool lcnTarget(IsoContext& c, BlockPlan& plan, AxisPoint& target);
 /// The point that @ and ^ name, seen from `from`, in the plane's coordinates of `target`.
 void lcnPolarFrom(IsoContext& c, const BlockPlan& plan, const AxisPoint& from, AxisPoint& target);
-/// An arc by radius may miss half its chord by so much, mm.
+/// An arc by radius may miss half its chord by so much, and one of a smaller radius is none, mm.
 inline constexpr double kLcnReachMm = 0.00127;
 /// May an arc have those radii at its start and its end, mm? By the tolerance of the program's units.
 bool lcnRadiiAgree(const IsoContext& c, const BlockPlan& plan, double r1, double r2);

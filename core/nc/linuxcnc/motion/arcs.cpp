@@ -53,6 +53,9 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
     return lcnFail(c, "arc-center",
                    "Both offsets must be specified in absolute ijk mode (G90.1): one of I, J, K is missing");
   const double r1 = (arc.start - arc.center).norm(), r2 = (arc.end - arc.center).norm();
+  if (std::min(r1, r2) < (isGrbl(c) ? 1e-9 : kLcnReachMm))
+    return lcnFail(c, "arc-zero",
+                   fmt::format("Zero-radius arc: {:.6g} mm at its start, {:.6g} at its end", r1, r2));
   if (isGrbl(c)) return grblRadii(c, r1, r2);
   if (!lcnRadiiAgree(c, plan, r1, r2)) {
     const double difference = std::abs(r1 - r2), larger = std::max(r1, r2);
@@ -61,7 +64,6 @@ bool lcnCentre(IsoContext& c, BlockPlan& plan, LcnArc& arc) {
                                "{:.4g} mm or {:.3g} %",
                                r1, r2, difference, 100.0 * difference / larger));
   }
-  if (r1 < 1e-9 && r2 < 1e-9) return lcnFail(c, "arc-zero", "Zero-radius arc");
   return true;
 }
 

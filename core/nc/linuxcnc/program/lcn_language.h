@@ -121,6 +121,7 @@ class LinuxCncLanguage final : public IsoLanguage, private LcnNames {
     bool at_return = false;  ///< M73
     IsoState state;
     bool mist = false, flood = false;
+    bool shift_on = false;  ///< of G92 and G52
   };
   bool savedState(const Word& m, StatementFlow& flow);
   bool restoreAtReturn(StatementFlow& flow);

@@ -38,7 +38,8 @@ bool LinuxCncLanguage::savedState(const Word& m, StatementFlow& flow) {
     }
     default:
       std::erase_if(saved_, here);
-      saved_.push_back({level, m.value == 73.0, c_.state, run_.mist, run_.flood});
+      saved_.push_back(
+          {level, m.value == 73.0, c_.state, run_.mist, run_.flood, linuxCncChannel(c_).shift_on});
       return true;
   }
 }
@@ -94,6 +95,9 @@ bool LinuxCncLanguage::restore(const Saved& saved, StatementFlow& flow) {
   const double scale = was.unitScale();
   const std::string codes = restoringCodes(was), restored = restoringWords(saved);
   if (!runLine(codes, flow) || !runLine(restored, flow)) return false;
+  // Whether the shift acts; what it is stays.
+  const bool acts = saved.shift_on;
+  if (linuxCncChannel(c_).shift_on != acts && !runLine(acts ? "G92.3" : "G92.2", flow)) return false;
   for (const auto& [wanted, is, code] :
        {std::tuple{saved.mist, run_.mist, "M7"}, std::tuple{saved.flood, run_.flood, "M8"}}) {
     if (wanted && !is && !runLine(code, flow)) return false;

@@ -219,6 +219,18 @@ void LinuxCncLanguage::missingEnd(const LcnOWords::Statement& s, const char* end
       fmt::format("o{} {} is missing: the control does not see it while the condition holds", s.label, end));
 }
 
+namespace {
+
+/// Whether a break of the while stands in it: LinuxCNC 2.9 executes it where it passes over the loop.
+bool hasBreak(const LcnOWords& words, std::size_t head) {
+  const std::size_t end = words.at(head).partner;
+  for (std::size_t k = head + 1; end != LcnOWords::kNone && k < end; ++k)
+    if (words.at(k).keyword == LcnKeyword::kBreak && words.at(k).head == head) return true;
+  return false;
+}
+
+}  // namespace
+
 Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFlow& flow) {
   const LcnOWords::Statement& s = words.at(index);
   const LcnKeyword keyword = s.keyword;
@@ -247,6 +259,7 @@ Go LinuxCncLanguage::loop(const LcnOWords& words, std::size_t index, StatementFl
       if (s.closes_do) return endDo(words, index, value != 0.0, flow);
       if (value != 0.0) return Go::kOn;
       continue_left_ = false;  // the condition would be asked once more, and is false again
+      break_left_ = break_left_ || hasBreak(words, index);
       return jumpBehind(words, s.partner, flow);
     case LcnKeyword::kEndWhile:
       frame.next = words.at(s.partner).line;

@@ -123,6 +123,8 @@ TEST(LinuxCncFlavours, HoldsArcsToTheRulesOfGrbl) {
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X0 Y0 I5").motions(), (Lines{"A 0 0 0 c 5 0 0 -360"}));
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X10 Y0 I5.01").error(), "linuxcnc-error-33");
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X10 Y0 I5.002").error(), "");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X0 I0").error(), "linuxcnc-error-33");
+  EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X0.004 I0").error(), "linuxcnc-error-33");
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X400 Y0 I200.05").error(), "");
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X20 R9.9").error(), "linuxcnc-error-34");
   EXPECT_EQ(runFlavour(kGrblFlavour, "F100 G2 X20").error(), "linuxcnc-error-35");

@@ -135,6 +135,18 @@ TEST(LinuxCncFunction, Inputs) {
   EXPECT_EQ(messageOf("M66 P1 L3"), "Zero timeout with wait type != immediate return");
 }
 
+// lcn-5-M70: whether G92 acts comes back, its shift does not.
+TEST(LinuxCncFunctions, SavedStateHoldsWhetherTheShiftActs) {
+  const auto end = [](const std::string& text) {
+    return lcn("G21 F100\n" + text + "\nG1 X1 Y1 Z1\nM2\n").end();
+  };
+  EXPECT_EQ(end("M70\nG92 Z24\nM72"), Vec3(1, 1, 1));
+  EXPECT_EQ(end("G92 Z5\nM70\nG92.2\nM72"), Vec3(1, 1, -4));
+  EXPECT_EQ(end("G92 Z5\nM70\nG92 Z9\nM72"), Vec3(1, 1, -8));
+  EXPECT_EQ(end("G92 Z5\nM70\nG92.1\nM72"), Vec3(1, 1, 1));
+  EXPECT_EQ(end("M70\nG52 Z5\nM72"), Vec3(1, 1, 1));
+}
+
 // lcn-5-M70
 TEST(LinuxCncFunction, SavedStates) {
   const std::string show =

@@ -79,6 +79,12 @@ TEST(LinuxCncOWords, BreaksAndContinuesAreLeftOver) {
       lcn("o1 do\n#1=[#1+1]\nG0 X#1\no2 while [1]\no2 break\no2 endwhile\no1 while [#1 LT 3]\nM2\n");
   EXPECT_EQ(once.motions(), (Lines{"R 1 0 0"}));
   EXPECT_TRUE(once.tells("linuxcnc-left-over"));
+  // A break that it passes over where the loop ends by its condition.
+  const IsoRun passed =
+      lcn("o2 while [#1 LT 1]\n#1=[#1+1]\no3 if [0]\no2 break\no3 endif\no2 endwhile\n"
+          "o1 do\n#2=[#2+1]\nG0 X#2\no1 while [#2 LT 3]\nM2\n");
+  EXPECT_EQ(passed.motions(), (Lines{"R 1 0 0"}));
+  EXPECT_TRUE(passed.tells("linuxcnc-left-over"));
   const IsoRun twice =
       lcn("o1 do\n#1=[#1+1]\no1 continue\no1 while [#1 LT 2]\no2 repeat [2]\n#2=[#2+1]\nG0 X#2\n"
           "o2 endrepeat\nM2\n");
