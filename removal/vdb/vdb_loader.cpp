@@ -2,9 +2,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <filesystem>
-#include <system_error>
-
+#include "core/base/installed_file.h"
 #include "core/base/memory.h"
 #include "core/base/startable_threads.h"
 #include "removal/vdb/vdb_support.h"
@@ -12,8 +10,6 @@
 namespace proveout {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// OpenVDB's logger starts five threads when it is loaded, and ends the process where it cannot.
 constexpr int kModuleThreads = 8;
@@ -25,13 +21,8 @@ Result<const VdbSupport*> loadModule() {
         "allow more processes (ulimit -u), or do without .vdb files and meshes as blank or fixture");
   }
   const char* kName = "libproveout_vdb.so";
-  std::error_code ignored;
-  const fs::path prefix = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
   std::string reason = "no such file";
-  for (const fs::path& folder : {prefix / "lib" / "proveout", prefix / PROVEOUT_LIBDIR / "proveout",
-                                 fs::path(PROVEOUT_FULL_LIBDIR) / "proveout"}) {
-    const std::string path = (folder / kName).string();
-    if (!fs::exists(path, ignored)) continue;
+  for (const std::string& path : installedFiles(kName)) {
     if (void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL)) {
       using Entry = const VdbSupport* (*)();
       if (const auto entry = reinterpret_cast<Entry>(dlsym(module, "proveoutVdbSupport"))) return entry();
