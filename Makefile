@@ -9,7 +9,7 @@ COUNT ?= 200
 SEED ?= 1
 PROVEOUT := build/release/bin/proveout
 
-.PHONY: help deps configure program build demo test soak study peer bench asan tsan clean
+.PHONY: help deps step configure program build demo test soak study peer bench asan tsan clean
 
 help:
 	@echo 'make demo   install what is missing, build, run $(DEMO) and say where the results are'
@@ -17,6 +17,7 @@ help:
 	@echo 'make soak   random whole jobs against the laws of tests/soak, some of a wire, and the second soak; MINUTES=$(MINUTES) each, SEED=$(SEED)'
 	@echo 'make study  all planted defects of tests/study 100 programs of tests/reference (make test runs some)'
 	@echo 'make peer   random programs of LinuxCNC here and in its interpreter, where linuxcnc-uspace is installed; COUNT=$(COUNT), SEED=$(SEED)'
+	@echo 'make step   install OpenCASCADE and build the program with what reads STEP files'
 	@echo 'make program build the program alone: $(PROVEOUT)'
 	@echo 'make build  build everything, with the tests, the benchmarks and the soak'
 	@echo 'make bench  build and run the benchmarks; BENCH=--all runs the heavy cases as well; BASE=COMMIT builds that'
@@ -27,6 +28,10 @@ help:
 
 deps:
 	@.ci/install-deps
+
+step:
+	@.ci/install-deps step-packages.txt
+	$(MAKE) program
 
 program: deps
 	cmake --preset release
@@ -46,7 +51,9 @@ demo: program
 	echo; echo 'Results in $(DEMO_OUT):'; ls -1 $(DEMO_OUT) | sed 's/^/  /'; \
 	echo 'Start with $(DEMO_OUT)/report.html'
 
-test: configure
+test: deps
+	@.ci/install-deps step-packages.txt
+	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS) --output-on-failure
 

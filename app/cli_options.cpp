@@ -92,6 +92,9 @@ void addPlacement(CLI::App& app, NominalOptions& options) {
          "--nominal-rotate", options.rotate,
          "How the nominal is turned about the fixed axes X, Y, Z before, degrees; overrides the job's rotate")
       ->type_name("A,B,C");
+  app.add_option("--nominal-body", options.body,
+                 "Body of a STEP file with several: its name, or its number from 1; overrides the job's body")
+      ->type_name("NAME");
 }
 
 void addProgramOptions(CLI::App& app, ProgramOptions& options) {
@@ -148,7 +151,8 @@ void addRun(CLI::App& root, RunOptions& o) {
          "Motions without a T word use the lowest number")
       ->type_name("N=SHAPE")
       ->allow_extra_args(false);
-  app->add_option("--nominal", o.nominal, "Closed CAD mesh to compare with, with a program: STL, OBJ, PLY")
+  app->add_option("--nominal", o.nominal,
+                  "CAD model to compare with, with a program: closed STL, OBJ, PLY, or STEP")
       ->type_name("FILE");
   app->add_option("--unit", o.unit, "Of the meshes of --nominal and --stock: mm, inch, m; default: mm")
       ->type_name("UNIT");
@@ -272,7 +276,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
   app->add_option("MACHINED", o.machined, "Closed mesh of the part: STL, OBJ, PLY")
       ->required()
       ->check(notEmpty());
-  app->add_option("NOMINAL", o.nominal, "Closed CAD mesh")->required()->check(notEmpty());
+  app->add_option("NOMINAL", o.nominal, "CAD model: closed mesh, or STEP")->required()->check(notEmpty());
   app->add_option("--unit", o.unit, "Of both meshes: mm, inch, m; default: mm")->option_text("UNIT");
   app->add_option("--nominal-unit", o.nominal_unit, "Of the nominal, where it has another one")
       ->type_name("UNIT");
@@ -407,6 +411,7 @@ std::vector<std::string> decidingArguments(const RunOptions& o) {
   add("--unit", o.unit);
   add("--nominal-at", o.place.at);
   add("--nominal-rotate", o.place.rotate);
+  add("--nominal-body", o.place.body);
   for (const std::string& kinds : o.select) add("--select", kinds);
   for (const std::string& kinds : o.ignore) add("--ignore", kinds);
   if (o.causes) add("--causes", *o.causes);

@@ -20,6 +20,7 @@
 #include "core/base/stopwatch.h"
 #include "io/program_files.h"
 #include "io/sha256.h"
+#include "io/step/step_file.h"
 
 namespace proveout {
 namespace {
@@ -46,7 +47,9 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   NominalSpec machined, nominal;
   machined.mesh = {options.machined, units.machined};
   nominal.mesh = {options.nominal, units.nominal};
-  if (const Status placed = applyPlacement(options.place, nominal.placement); !placed) return placed.error();
+  if (const Status placed = applyNominal(options.place, nominal); !placed) return placed.error();
+  if (options.nominal_unit && isStepFile(options.nominal))
+    return inputError("--nominal-unit: a STEP file states its unit itself");
   Result<PreparedMesh> part = loadNominal(machined);
   if (!part) return part.error();
   Result<PreparedMesh> model = loadNominal(nominal);
@@ -92,6 +95,7 @@ Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair&
   settings.excess_mm = options.excess_mm;
   settings.resolution_mm = options.resolution_mm;
   settings.threads = options.threads.value_or(0);
+  settings.nominal_faces = pair.nominal.faces;
   Result<Comparison> comparison = compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
   if (!comparison) return comparison.error();
   result.comparison = std::move(*comparison);

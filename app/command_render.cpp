@@ -103,6 +103,7 @@ Result<Comparison> compareForHeatMap(const TriMesh& mesh, const HeatMapSource& s
   options.excess_mm = source.nominal.excess_mm;
   options.resolution_mm = source.resolution_mm;
   options.threads = threads;
+  options.nominal_faces = nominal->faces;
   return compareToNominal(mesh, nominal->mesh, options, progress);
 }
 

@@ -18,6 +18,7 @@
 #include "core/nc/registry/interpreter.h"
 #include "io/atomic_file.h"
 #include "io/job/template_files.h"
+#include "io/step/step_file.h"
 #include "render/camera.h"
 
 namespace proveout {
@@ -179,18 +180,24 @@ void applyUnit(const std::string& name, Job& job, Diagnostics& diagnostics) {
   } else if (stock == nullptr && !job.nominal) {
     diagnostics.add(usageError("--unit needs a mesh: --nominal FILE or --stock mesh:FILE"));
   } else {
-    if (stock != nullptr) stock->unit = *unit;
-    if (job.nominal) job.nominal->mesh.unit = *unit;
+    bool taken = false;
+    for (MeshFile* file : {stock, job.nominal ? &job.nominal->mesh : nullptr}) {
+      if (file == nullptr || isStepFile(file->path)) continue;
+      file->unit = *unit;
+      taken = true;
+    }
+    if (!taken) diagnostics.add(usageError("--unit: a STEP file states its unit itself"));
   }
 }
 
 void applyPlace(const NominalOptions& place, Job& job, Diagnostics& diagnostics) {
   if (!job.nominal) {
     if (!diagnostics.hasErrors())
-      diagnostics.add(usageError("--nominal-at and --nominal-rotate need a nominal mesh to compare with"));
+      diagnostics.add(
+          usageError("--nominal-at, --nominal-rotate and --nominal-body need a nominal to compare with"));
     return;
   }
-  if (const Status done = applyPlacement(place, job.nominal->placement); !done)
+  if (const Status done = applyNominal(place, *job.nominal); !done)
     diagnostics.add(usageError(done.error().message));
 }
 

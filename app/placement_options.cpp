@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "io/step/step_file.h"
+
 namespace proveout {
 
 Result<Vec3> parseTriple(const std::string& option, const std::string& text, double most,
@@ -20,7 +22,13 @@ Result<Vec3> parseTriple(const std::string& option, const std::string& text, dou
   return out;
 }
 
-Status applyPlacement(const NominalOptions& options, MeshPlacement& placement) {
+Status applyNominal(const NominalOptions& options, NominalSpec& nominal) {
+  MeshPlacement& placement = nominal.placement;
+  if (options.body) {
+    if (!isStepFile(nominal.mesh.path))
+      return inputError("--nominal-body names a body of a STEP file; " + nominal.mesh.path + " is a mesh");
+    nominal.mesh.body = *options.body;
+  }
   if (options.at) {
     const Result<Vec3> at = parseTriple("--nominal-at", *options.at, 1e6, "a point: X,Y,Z in mm");
     if (!at) return at.error();

@@ -8,6 +8,7 @@
 #include "core/base/memory_limit.h"
 #include "io/atomic_file.h"
 #include "io/mesh_formats.h"
+#include "io/step/step_file.h"
 
 namespace proveout {
 
@@ -60,7 +61,8 @@ std::string extensionOf(const std::string& path) {
 }
 
 Error unknownFormat(const std::string& name) {
-  return inputError(name + ": is no mesh that can be read; the name must end in .stl, .obj or .ply");
+  return inputError(name +
+                    ": is no mesh that can be read; the name must end in .stl, .obj, .ply, .step or .stp");
 }
 
 Error outOfMemory(const std::string& name) {
@@ -89,6 +91,13 @@ Result<TriMesh> parseMesh(std::string_view bytes, std::string_view extension, co
 }
 
 Result<TriMesh> loadMesh(const std::string& path, const MeshLoadOptions& options) {
+  if (isStepFile(path)) {
+    constexpr double kChord = 0.005;
+    Result<StepBody> body =
+        loadStep(path, {.body = options.body, .chord_mm = kChord, .free_chord_mm = kChord});
+    if (!body) return body.error();
+    return std::move(body->mesh);
+  }
   const std::string extension = extensionOf(path);
   if (readerFor(mesh_formats::lowerCase(extension)) == nullptr) return unknownFormat(path);
   try {

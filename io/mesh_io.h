@@ -19,13 +19,15 @@ std::string_view meshUnitName(MeshUnit unit);           ///< "mm", "inch", "m"
 struct MeshLoadOptions {
   MeshUnit unit = MeshUnit::kMillimetre;
   std::uint64_t max_bytes = 8ull << 30;  ///< larger files are refused before they are read
+  std::string body = {};                 ///< of a STEP file: its name or number; empty: the only one
 };
 
-/// Reads STL (binary, ASCII), OBJ or PLY (ASCII, binary of either byte order); the extension names the
-/// format, the content decides between its variants. Polygons are triangulated, equal positions merged
-/// (weldVertices). Whether the mesh is closed is not judged here. Errors: not a regular file, unreadable,
-/// empty, too large, cut short, counts that do not fit the file's size, a coordinate that is not finite in
-/// single precision, an index out of range, points or lines in place of faces, no triangle left.
+/// Reads STL (binary, ASCII), OBJ, PLY (ASCII, binary of either byte order) or a body of a STEP file, which
+/// states its unit and is faceted to 0.005 mm (io/step/step_file.h); the extension names the format, the
+/// content decides between its variants. Polygons are triangulated, equal positions merged (weldVertices).
+/// Whether the mesh is closed is not judged here. Errors: not a regular file, unreadable, empty, too large,
+/// cut short, counts that do not fit the file's size, a coordinate that is not finite in single precision, an
+/// index out of range, points or lines in place of faces, no triangle left.
 Result<TriMesh> loadMesh(const std::string& path, const MeshLoadOptions& options = {});
 
 /// The same from memory; `extension` is "stl", "obj" or "ply" in any case, `name` stands in errors.

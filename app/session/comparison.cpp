@@ -110,6 +110,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
   options.threads = job.simulation.threads;
   options.ignored = job.nominal->ignored;
+  options.nominal_faces = nominal.faces;
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();

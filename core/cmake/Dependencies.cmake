@@ -41,6 +41,8 @@ set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE ON)
 find_package(CGAL 5.5 REQUIRED QUIET)
 
 if(NOT PROVEOUT_LIBRARIES_ONLY)
+  # Reads STEP files, where it is installed (`make step`).
+  find_package(OpenCASCADE QUIET CONFIG)
   find_package(CLI11 2 REQUIRED)
   find_path(PROVEOUT_TOMLPP_INCLUDE toml++/toml.h REQUIRED)
   find_library(PROVEOUT_JEMALLOC_LIBRARY jemalloc REQUIRED)

@@ -19,14 +19,18 @@ install(TARGETS proveout_vdb LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/proveou
 if(TARGET proveout)
   install(TARGETS proveout RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
+if(TARGET proveout_step)
+  install(TARGETS proveout_step RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/proveout)
+endif()
 
 # Headers that a user of the libraries includes, with those that they include; the others are nobody's business
 # outside.
 foreach(folder core/base core/geometry core/machine core/path core/tool removal/process io render)
-  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h")
+  install(DIRECTORY ${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/proveout/${folder} FILES_MATCHING PATTERN "*.h"
+    REGEX "step/reader$" EXCLUDE)  # that sees OpenCASCADE
 endforeach()
 foreach(header
-    core/mesh/image core/mesh/mesh_placement core/mesh/tri_mesh
+    core/mesh/cad_faces core/mesh/image core/mesh/mesh_placement core/mesh/tri_mesh
     core/nc/control/channel_program core/nc/control/control_host core/nc/control/control_info
     core/nc/control/control_settings core/nc/control/machine_event core/nc/control/program_source core/nc/control/run_summary
     core/nc/control/kept_data core/nc/control/text_settings

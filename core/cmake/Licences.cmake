@@ -10,6 +10,9 @@ set(PROVEOUT_LINKED
   # What OpenVDB's library is linked with.
   "blosc|libblosc1" "boost-iostreams|libboost-iostreams1*" "bzip2|libbz2-1.0" "log4cplus|liblog4cplus-*" "lz4|liblz4-1"
   "lzma|liblzma5" "snappy|libsnappy1*" "zstd|libzstd1")
+if(TARGET proveout_step)
+  list(APPEND PROVEOUT_LINKED "opencascade|libocct-foundation-[0-9]*")
+endif()
 set(PROVEOUT_LICENCE_DIR ${CMAKE_INSTALL_DATADIR}/doc/proveout/licenses)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${PROVEOUT_LICENCE_DIR} RENAME proveout.txt COMPONENT licences)

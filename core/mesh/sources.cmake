@@ -1,5 +1,6 @@
 target_sources(proveout_core PRIVATE
   geometry/box_tree.cpp
+  mesh/cad_faces.cpp
   mesh/corner_table.cpp
   mesh/crowded_places.cpp
   mesh/edge_collapser.cpp

@@ -33,6 +33,7 @@ namespace proveout {
 struct MeshFile {
   std::string path;
   MeshUnit unit = MeshUnit::kMillimetre;
+  std::string body = {};  ///< of a STEP file: name or number; empty: the only one
 };
 
 /// What the blank is, before its files are read. Workpiece frame.

@@ -165,6 +165,7 @@ Result<StockShape> loadStockShape(const StockSpec& spec) {
   const MeshFile& file = std::get<MeshFile>(spec);
   MeshLoadOptions options;
   options.unit = file.unit;
+  options.body = file.body;
   Result<TriMesh> mesh = loadMesh(file.path, options);
   if (!mesh) return mesh.error();
   return StockShape(MeshShape{std::move(*mesh), file.path});

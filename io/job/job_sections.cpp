@@ -12,6 +12,7 @@
 #include "io/atomic_file.h"
 #include "io/job/machine_events.h"
 #include "io/job/machine_file.h"
+#include "io/step/step_file.h"
 
 namespace proveout {
 
@@ -305,11 +306,40 @@ void readMachine(ConfigTable& root, Job& job) {
   readMachineKeys(*machine, job);
 }
 
-std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key) {
+namespace {
+
+/// `body` of a STEP file: "name" or a number from 1.
+std::string readBody(ConfigTable& table, bool step) {
+  const ConfigValue* body = table.find("body");
+  if (body == nullptr) return {};
+  if (!step) {
+    table.error("body", "job-value", "`body` names a body of a STEP file; this is a mesh");
+    return {};
+  }
+  if (body->type == Type::kInteger) return fmt::format("{}", table.integer("body", 1, 100'000).value_or(1));
+  return table.text("body").value_or("");
+}
+
+/// The file at `key` with its unit and body.
+std::optional<MeshFile> readModel(ConfigTable& table, const std::string& key) {
   const auto file = table.must(key).path(key);
+  const bool step = file && isStepFile(*file), has_unit = table.find("unit") != nullptr;
   const MeshUnit unit = readUnit(table);
+  const std::string body = readBody(table, step);
   if (!file) return std::nullopt;
-  return MeshFile{*file, unit};
+  if (step && has_unit)
+    table.error("unit", "job-value", "a STEP file states its unit itself: leave `unit` out");
+  if (const Status reader = step ? checkStepReader() : Status(Done{}); !reader)
+    table.error(key, "step-reader", reader.error().message);
+  return MeshFile{*file, unit, body};
+}
+
+}  // namespace
+
+std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key) {
+  const std::optional<MeshFile> file = readModel(table, key);
+  if (!file) return std::nullopt;
+  return StockSpec(*file);
 }
 
 std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::string>& shapes) {
@@ -386,8 +416,7 @@ void readNominal(ConfigTable& root, Job& job) {
   auto table = root.table("nominal");
   if (!table) return;
   NominalSpec nominal;
-  if (const auto mesh = table->must("mesh").path("mesh")) nominal.mesh.path = *mesh;
-  nominal.mesh.unit = readUnit(*table);
+  if (const auto mesh = readModel(*table, "mesh")) nominal.mesh = *mesh;
   if (const auto scale = table->number("scale", kScale)) nominal.placement.scale = *scale;
   if (const auto turn = table->point("rotate", kDegrees)) nominal.placement.rotate_deg = *turn;
   if (const auto move = table->point("move")) nominal.placement.move = *move;

@@ -244,7 +244,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   const std::size_t samples =
       alike(meshBounds(machined), meshBounds(nominal)) ? kMaxSampleTriangles : kMaxOddSampleTriangles;
   // First what takes most memory while it is made.
-  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm);
+  const auto shared_model =
+      std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm, o.nominal_faces.get());
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
   SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, samples);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, samples);
@@ -273,10 +274,10 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   out.vertex_deviation = deviationOfVertices(sides, machined.positions.size());
   out.field = makeDeviationField(shared_model, o);
   tellIgnored(part.surface, o.ignored, out);
-  const bool doubt = model.shape.largestDoubt() > model.shape.largest();
+  const bool doubt = model.shape.largestDoubt() > model.shape.largestRead();
   out.nominal_chord_in_doubt = doubt;
-  out.nominal_chord_mm = doubt ? model.shape.largestDoubt() : model.shape.largest();
-  out.nominal_chord_at = doubt ? model.shape.largestDoubtAt() : model.shape.largestAt();
+  out.nominal_chord_mm = doubt ? model.shape.largestDoubt() : model.shape.largestRead();
+  out.nominal_chord_at = doubt ? model.shape.largestDoubtAt() : model.shape.largestReadAt();
   out.machined_spacing_mm = part.spacing_mm;
   out.nominal_spacing_mm = goal.spacing_mm;
   out.machined_samples = part.surface.points.size();
@@ -294,6 +295,8 @@ Result<Comparison> compareToNominal(const TriMesh& machined, const TriMesh& nomi
         compare_detail::checkClosed(nominal, "the nominal mesh")}) {
     if (!status) return status.error();
   }
+  PROVEOUT_ASSERT(options.nominal_faces == nullptr ||
+                  options.nominal_faces->of_triangle.size() == nominal.triangles.size());
   try {
     const int threads = options.threads > 0 ? options.threads : std::max(1, tbb::info::default_concurrency());
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/geometry/types.h"
+#include "core/mesh/cad_faces.h"
 #include "removal/compare/exact_part.h"
 
 namespace proveout {
@@ -46,6 +47,9 @@ struct CompareOptions {
   /// on the mesh. Null: the mesh is all there is, and deviations closer to a tolerance than `uncertainty_mm`
   /// are undecided.
   std::shared_ptr<const ExactPart> part = {};
+  /// The faces of the CAD model that the nominal mesh was made of: samples are measured to them, and chords
+  /// do not matter. Null: only the mesh is known.
+  std::shared_ptr<const CadFaces> nominal_faces = {};
   /// How near to each other, mm, spots of two makers are one finding; below 0: never. Spots of one motion are
   /// one anyway. Empty: what is two samples apart is one.
   std::function<double(const SurfaceMaker&, const SurfaceMaker&)> spot_gap = {};

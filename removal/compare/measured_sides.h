@@ -32,8 +32,11 @@ struct BothSides {
 
 /// The nominal as it is asked.
 struct NominalModel {
-  NominalModel(const TriMesh& mesh, double sure_mm)
-      : surface(toSurface(mesh)), shape(surface, distance), distance(surface, sure_mm) {}
+  /// `faces`: of the CAD model; null: none is known, curved faces are read from the mesh.
+  NominalModel(const TriMesh& mesh, double sure_mm, const CadFaces* faces = nullptr)
+      : surface(toSurface(mesh)),
+        shape(faces != nullptr ? NominalShape(surface, distance, *faces) : NominalShape(surface, distance)),
+        distance(surface, sure_mm) {}
   NominalModel(const NominalModel&) = delete;
   SurfaceMesh surface;
   NominalShape shape;  ///< first: it takes most memory while it is made

@@ -1,11 +1,13 @@
 // A mesh made ready to be compared, and the checks that both meshes of a comparison pass.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/mesh/cad_faces.h"
 #include "core/mesh/tri_mesh.h"
 
 namespace proveout {
@@ -14,6 +16,7 @@ namespace proveout {
 struct PreparedMesh {
   TriMesh mesh;
   std::vector<std::string> notes;  ///< what was repaired or looks wrong, one sentence each; for a warning
+  std::shared_ptr<const CadFaces> faces = {};  ///< where the file tells them
 };
 
 /// Makes a solid of a mesh as files bring it: nominal, blank or fixture. Repairs what is safe: equal vertices

@@ -31,9 +31,20 @@ double NominalShape::largestOf(std::uint32_t t) const {
   return largest;
 }
 
-double NominalShape::mostUnsure() const { return kMisread * std::max(largest_, largest_doubt_); }
+double NominalShape::mostUnsure() const {
+  if (!read_) return faceted_.empty() ? 0.0 : chord_;
+  return kMisread * std::max(largest_, largest_doubt_);
+}
 
 double NominalShape::unsureAt(std::uint32_t triangle, const Vec3& place, double reach) const {
+  if (!read_) {
+    if (faceted_.empty()) return 0.0;
+    bool beside = faceted_[triangle] != 0;
+    const Box3 around = {place - Vec3::Constant(reach), place + Vec3::Constant(reach)};
+    if (!beside)
+      distance_.tree().forEachIn(around, [&](std::uint32_t t) { beside = beside || faceted_[t] != 0; });
+    return beside ? chord_ : 0.0;
+  }
   if (largest_ == 0.0 && largest_doubt_ == 0.0) return 0.0;
   PROVEOUT_ASSERT(triangle < bulge_.size());
   double largest = 0.0, misfit = 0.0, doubt = 0.0;
@@ -87,6 +98,37 @@ NominalShape::NominalShape(const SurfaceMesh& mesh, const SignedDistance& distan
     if (largest <= largest_) continue;
     largest_ = largest;
     largest_at_ = mesh.middle(t);
+  }
+}
+
+NominalShape::NominalShape(const SurfaceMesh& mesh, const SignedDistance& distance, const CadFaces& faces)
+    : mesh_(mesh), distance_(distance), read_(false), chord_(faces.chord_mm) {
+  PROVEOUT_ASSERT(faces.of_triangle.size() == mesh.triangles.size());
+  bulge_.resize(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < bulge_.size(); ++t) {
+    if (const CadFace* face = faces.exactAt(t)) {
+      takeExact(t, *face);
+      largest_ = std::max(largest_, largestOf(t));
+      continue;
+    }
+    if (faceted_.empty()) {
+      faceted_.resize(bulge_.size());
+      largest_at_ = mesh.middle(t);
+    }
+    faceted_[t] = 1;
+  }
+}
+
+/// The face lies as far beyond the facet as its points lie within it.
+void NominalShape::takeExact(std::uint32_t triangle, const CadFace& face) {
+  if (face.kind == SurfaceKind::kPlane) return;
+  const auto& v = mesh_.triangles[triangle];
+  const auto beyond = [&](const Vec3& p) { return static_cast<float>(-face.distance(p)); };
+  auto& b = bulge_[triangle];
+  for (std::size_t c = 0; c < 3; ++c) b[c] = beyond(mesh_.points[v[c]]);
+  for (std::size_t c = 0; c < 3; ++c) {
+    const Vec3 middle = 0.5 * (mesh_.points[v[c]] + mesh_.points[v[(c + 1) % 3]]);
+    b[3 + c] = beyond(middle) - 0.5f * (b[c] + b[(c + 1) % 3]);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "core/mesh/cad_faces.h"
 #include "core/mesh/signed_distance.h"
 #include "core/mesh/surface_mesh.h"
 
@@ -33,6 +34,9 @@ class NominalShape {
   /// Both must outlive this: a mesh that is closed, manifold but for edges that solids share, and distances
   /// to it, which are asked later only and may be made then: reading takes most memory as long as it goes on.
   NominalShape(const SurfaceMesh& mesh, const SignedDistance& distance);
+  /// Takes the faces of the CAD model that the mesh was made of in place of reading them: planes, cylinders,
+  /// cones, spheres and tori as they are; facets of other faces count as they are, unsure by their chord.
+  NominalShape(const SurfaceMesh& mesh, const SignedDistance& distance, const CadFaces& faces);
 
   /// At a place that SignedDistance::at found.
   Bulge at(const SurfaceDistance& nearest, const Vec3& place) const;
@@ -46,14 +50,17 @@ class NominalShape {
   /// The largest that unsureAt() may say.
   double mostUnsure() const;
 
-  /// The largest bulge there is, and where.
+  /// The largest bulge there is.
   double largest() const { return largest_; }
-  const Vec3& largestAt() const { return largest_at_; }
+  /// The largest that is not known from the CAD model, and where.
+  double largestRead() const { return read_ ? largest_ : mostUnsure(); }
+  const Vec3& largestReadAt() const { return largest_at_; }
   /// The highest chord of flats that could stand for a round, mm, and where.
   double largestDoubt() const { return largest_doubt_; }
   const Vec3& largestDoubtAt() const { return largest_doubt_at_; }
 
  private:
+  void takeExact(std::uint32_t triangle, const CadFace& face);
   double largestOf(std::uint32_t triangle) const;
   void lookAround();
 
@@ -66,7 +73,10 @@ class NominalShape {
   std::vector<float>
       misfit_;  ///< per triangle: how far off it is read, by its neighbours, mm; empty: all is flat
   std::vector<std::array<float, 2>>
-      around_;  ///< per vertex: the largest bulge and misfit of the triangles around
+      around_;                 ///< per vertex: the largest bulge and misfit of the triangles around
+  bool read_ = true;           ///< false: by the faces of a CAD model
+  std::vector<char> faceted_;  ///< per triangle: of a face that is no exact one; empty: there is none
+  double chord_ = 0.0;         ///< of those, mm
   double largest_ = 0.0, largest_doubt_ = 0.0;
   Vec3 largest_at_ = Vec3::Zero(), largest_doubt_at_ = Vec3::Zero();
 };

@@ -1,9 +1,12 @@
 #include "app/session/nominal/nominal_mesh.h"
 
+#include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 
 #include "io/mesh_io.h"
+#include "io/step/step_file.h"
 
 namespace proveout {
 
@@ -18,7 +21,33 @@ void addMeshWarnings(const std::vector<std::string>& texts, const std::string& c
   }
 }
 
+namespace {
+
+/// A model of a CAD system: its mesh, with what the faces are exactly.
+Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
+  constexpr double kCoarsest = 0.02, kShare = 0.1;  // mm; of the tolerance, for faces that are no exact ones
+  const double tolerance = std::min(nominal.gouge_mm, nominal.excess_mm);
+  StepLoadOptions options;
+  options.body = nominal.mesh.body;
+  options.chord_mm = std::min(kCoarsest, tolerance) / nominal.placement.scale;
+  options.free_chord_mm = kShare * tolerance / nominal.placement.scale;
+  Result<StepBody> body = loadStep(nominal.mesh.path, options);
+  if (!body) return body.error();
+  placeMesh(nominal.placement, body->mesh);
+  for (CadFace& face : body->faces.faces) face = face.placed(nominal.placement);
+  body->faces.chord_mm *= nominal.placement.scale;
+  Result<PreparedMesh> prepared = prepareNominal(body->mesh, nominal.mesh.path);
+  if (!prepared) return prepared;
+  prepared->faces =
+      std::make_shared<const CadFaces>(facesOf(prepared->mesh, body->mesh, std::move(body->faces)));
+  prepared->notes.insert(prepared->notes.begin(), body->notes.begin(), body->notes.end());
+  return prepared;
+}
+
+}  // namespace
+
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
+  if (isStepFile(nominal.mesh.path)) return loadCadNominal(nominal);
   MeshLoadOptions options;
   options.unit = nominal.mesh.unit;
   Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);

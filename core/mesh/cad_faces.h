@@ -1,0 +1,62 @@
+// The faces of a CAD model: what surface each is exactly, and which triangles of its mesh stand for it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/geometry/types.h"
+#include "core/mesh/mesh_placement.h"
+#include "core/mesh/tri_mesh.h"
+
+namespace proveout {
+
+enum class SurfaceKind : std::uint8_t { kPlane, kCylinder, kCone, kSphere, kTorus, kOther };
+inline constexpr std::array kSurfaceKindNames = {std::string_view("plane"), std::string_view("cylinder"),
+                                                 std::string_view("cone"),  std::string_view("sphere"),
+                                                 std::string_view("torus"), std::string_view("other")};
+inline std::string_view surfaceKindName(SurfaceKind kind) {
+  return kSurfaceKindNames[static_cast<std::size_t>(kind)];
+}
+
+struct CadFace {
+  SurfaceKind kind = SurfaceKind::kOther;
+  /// A point of the plane, the centre of sphere and torus, a point on the axis of cylinder and cone; mm.
+  Vec3 origin = Vec3::Zero();
+  /// Unit. Of a plane: the normal that points out of the material; of a cone: towards the wide end.
+  Vec3 axis = Vec3::UnitZ();
+  double radius = 0.0;                         ///< mm; of a cone: at `origin`; of a torus: of its ring
+  double tube_radius = 0.0;                    ///< of a torus, mm
+  double half_angle_rad = 0.0;                 ///< of a cone, 0..pi/2
+  bool hollow = false;                         ///< the material lies outside of the round: a hole, a fillet
+  std::string name;                            ///< as the file has it; may be empty
+  std::optional<std::array<float, 3>> colour;  ///< red, green, blue, 0..1
+
+  /// Signed distance of a point to the face's surface without its borders, mm; > 0 outside of the material.
+  /// Not of kOther.
+  double distance(const Vec3& p) const;
+  CadFace placed(const MeshPlacement& placement) const;
+};
+
+inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFu;
+
+struct CadFaces {
+  std::vector<CadFace> faces;
+  std::vector<std::uint32_t> of_triangle;  ///< index of its face for each triangle of the mesh, or kNoFace
+  double chord_mm = 0.0;                   ///< the facets of faces of kOther lie no farther off
+
+  /// The face of a triangle where its surface is known exactly; null: it is not.
+  const CadFace* exactAt(std::uint32_t triangle) const {
+    const std::uint32_t face = of_triangle[triangle];
+    return face == kNoFace || faces[face].kind == SurfaceKind::kOther ? nullptr : &faces[face];
+  }
+};
+
+/// The same faces for a mesh that was made of `source`: its triangles are known by their three corners;
+/// those that were changed have no face. Both meshes lie where the faces lie.
+CadFaces facesOf(const TriMesh& mesh, const TriMesh& source, CadFaces faces);
+
+}  // namespace proveout

@@ -1,0 +1,155 @@
+#include "io/step/reader/step_facets.h"
+
+#include <BRepAdaptor_Surface.hxx>
+#include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
+#include <BRep_Tool.hxx>
+#include <IMeshTools_Parameters.hxx>
+#include <Poly_Triangulation.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <algorithm>
+#include <cmath>
+#include <gp_Cone.hxx>
+#include <gp_Cylinder.hxx>
+#include <gp_Pln.hxx>
+#include <gp_Sphere.hxx>
+#include <gp_Torus.hxx>
+#include <string>
+
+#include "io/step/reader/step_bodies.h"
+
+namespace proveout::step_reader {
+namespace {
+
+/// Facets of rounds turn by no more than this, rad, so that even small ones are round.
+constexpr double kMostTurn = 0.25;
+/// The chord that is asked for is exceeded by a quarter here and there.
+constexpr double kMargin = 0.5;
+
+enum Kind { kPlane, kCylinder, kCone, kSphere, kTorus, kOther };
+
+std::array<double, 3> tripleOf(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
+
+/// A point in the middle of the face's parameters, and the normal there that points out of the material.
+void middleOf(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, gp_Pnt& at, gp_Vec& normal) {
+  double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
+  BRepTools::UVBounds(face, u0, u1, v0, v1);
+  gp_Vec du, dv;
+  // A little off the middle: not where a sphere or a torus has a special place.
+  surface.D1(u0 + 0.47 * (u1 - u0), v0 + 0.47 * (v1 - v0), at, du, dv);
+  normal = du.Crossed(dv);
+  if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
+}
+
+FaceSurface surfaceOf(const TopoDS_Face& face) {
+  const BRepAdaptor_Surface surface(face);
+  FaceSurface out;
+  gp_Pnt at;
+  gp_Vec normal;
+  middleOf(face, surface, at, normal);
+  gp_XYZ origin, axis(0.0, 0.0, 1.0);
+  switch (surface.GetType()) {
+    case GeomAbs_Plane:
+      if (normal.Magnitude() == 0.0) return out;
+      out.kind = kPlane;
+      origin = surface.Plane().Location().XYZ();
+      axis = normal.Normalized().XYZ();
+      break;
+    case GeomAbs_Cylinder:
+      out.kind = kCylinder;
+      origin = surface.Cylinder().Location().XYZ();
+      axis = surface.Cylinder().Axis().Direction().XYZ();
+      out.radius = surface.Cylinder().Radius();
+      break;
+    case GeomAbs_Cone:
+      out.kind = kCone;
+      origin = surface.Cone().Location().XYZ();
+      axis = surface.Cone().Axis().Direction().XYZ();
+      out.radius = surface.Cone().RefRadius();
+      out.half_angle_rad = surface.Cone().SemiAngle();
+      if (out.half_angle_rad < 0.0) {  // towards the wide end
+        axis.Reverse();
+        out.half_angle_rad = -out.half_angle_rad;
+      }
+      break;
+    case GeomAbs_Sphere:
+      out.kind = kSphere;
+      origin = surface.Sphere().Location().XYZ();
+      out.radius = surface.Sphere().Radius();
+      break;
+    case GeomAbs_Torus:
+      out.kind = kTorus;
+      origin = surface.Torus().Location().XYZ();
+      axis = surface.Torus().Axis().Direction().XYZ();
+      out.radius = surface.Torus().MajorRadius();
+      out.tube_radius = surface.Torus().MinorRadius();
+      break;
+    default:
+      return out;
+  }
+  out.origin = tripleOf(origin);
+  out.axis = tripleOf(axis);
+  if (out.kind == kPlane) return out;
+  const gp_XYZ from = at.XYZ() - origin;
+  gp_XYZ outwards = from;  // of a sphere
+  if (out.kind != kSphere) {
+    const gp_XYZ across = from - axis * from.Dot(axis);
+    const double length = across.Modulus();
+    outwards = out.kind == kTorus && length > 0.0 ? from - across * (out.radius / length) : across;
+    // Beyond the apex the distance from the axis grows the other way.
+    if (out.kind == kCone && out.radius + from.Dot(axis) * std::tan(out.half_angle_rad) < 0.0)
+      out.kind = kOther;
+  }
+  // A torus that goes through itself has two sheets.
+  if (out.kind == kTorus && out.tube_radius >= out.radius) out.kind = kOther;
+  out.hollow = normal.XYZ().Dot(outwards) < 0.0;
+  return out;
+}
+
+void addFace(const TopoDS_Face& face, Facets& out) {
+  TopLoc_Location place;
+  const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, place);
+  if (mesh.IsNull() || mesh->NbTriangles() == 0) {
+    throw Refusal{"face " + std::to_string(out.faces.size() + 1) +
+                  " cannot be meshed: its borders do not close; repair the body in the CAD system"};
+  }
+  const auto first = static_cast<std::uint32_t>(out.vertices.size());
+  for (int k = 1; k <= mesh->NbNodes(); ++k) {
+    const gp_Pnt p = mesh->Node(k).Transformed(place.Transformation());
+    out.vertices.push_back({static_cast<float>(p.X()), static_cast<float>(p.Y()), static_cast<float>(p.Z())});
+  }
+  const bool reversed = (face.Orientation() == TopAbs_REVERSED) != place.Transformation().IsNegative();
+  for (int k = 1; k <= mesh->NbTriangles(); ++k) {
+    int a = 0, b = 0, c = 0;
+    mesh->Triangle(k).Get(a, b, c);
+    if (reversed) std::swap(b, c);
+    const auto index = [&](int node) { return first + static_cast<std::uint32_t>(node - 1); };
+    out.triangles.push_back({index(a), index(b), index(c)});
+    out.face_of.push_back(static_cast<std::uint32_t>(out.faces.size()));
+  }
+  out.faces.push_back(face);
+}
+
+}  // namespace
+
+Facets facetsOf(const TopoDS_Shape& body, double chord_mm, double free_chord_mm) {
+  Facets out;
+  std::vector<TopoDS_Face> faces;
+  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next())
+    faces.push_back(TopoDS::Face(face.Current()));
+  for (const TopoDS_Face& face : faces) out.surfaces.push_back(surfaceOf(face));
+  const bool free = std::any_of(out.surfaces.begin(), out.surfaces.end(),
+                                [](const FaceSurface& s) { return s.kind == kOther; });
+  IMeshTools_Parameters mesh;
+  mesh.MeshAlgo =
+      IMeshTools_MeshAlgoType_Delabella;  // the other one takes square time on faces with many holes
+  mesh.Deflection = free ? kMargin * free_chord_mm : chord_mm;
+  mesh.Angle = kMostTurn;
+  mesh.InParallel = true;
+  BRepMesh_IncrementalMesh(body, mesh);
+  for (const TopoDS_Face& face : faces) addFace(face, out);
+  return out;
+}
+
+}  // namespace proveout::step_reader

@@ -1,0 +1,88 @@
+// Jobs with STEP files as nominal, blank and fixture, from the program to the verdict.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/session/run/job_defaults.h"
+#include "app/session/session.h"
+#include "tests/unit/io/temp_folder.h"
+#include "tests/unit/step/step_parts.h"
+
+namespace proveout::test {
+namespace {
+
+using testing::HasSubstr;
+
+class StepJob : public testing::Test {
+ protected:
+  StepJob() {
+    writeStep(folder_.path("part.step"), {{"part", pocketBlock()}});
+    writeStep(folder_.path("blank.stp"), {{"part", pocketBlock()}, {"blank", block()}});
+  }
+  std::optional<Job> job(const std::string& stock, const std::string& nominal) {
+    JobNames names = jobNames();
+    names.programs_in_memory = true;
+    const std::string text = fmt::format(
+        "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n[stock]\nshape = "
+        "\"mesh\"\n{}\n"
+        "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 10\n[[tool]]\nnumber = 2\ntype = \"flat\"\n"
+        "diameter = 6\nflute_length = 20\n[nominal]\n{}\n[simulation]\nresolution = 0.5\n",
+        stock, nominal);
+    return parseJob(text, folder_.path("job.toml"), folder_.path(), names, diagnostics_);
+  }
+  /// The pocket is cut with a circle of that radius about its middle.
+  Result<RunResult> run(double circle) {
+    const std::optional<Job> read = job("file = \"blank.stp\"\nbody = \"blank\"", "mesh = \"part.step\"");
+    if (!read) return inputError(diagnostics_.all().front().message);
+    const MemoryProgramSource program(
+        "part.nc",
+        fmt::format("G21 G90 T1 M6\nS1000 M3 F500\nG0 X20 Y20 Z15\nG1 Z6\nN5 X{0}\nN6 G2 I-{1}\nG1 X20\n"
+                    "G0 Z30\nT2 M6\nG0 X45 Y20\nZ15\nG1 Z-1\nG0 Z30\nM30\n",
+                    20.0 + circle, circle));
+    Progress progress;
+    return runJob(*read, {&program}, progress);
+  }
+  std::string firstError() const {
+    for (const Diagnostic& d : diagnostics_.all())
+      if (d.severity == Severity::kError) return d.message;
+    return "";
+  }
+  io_test::TempFolder folder_;
+  Diagnostics diagnostics_;
+};
+
+TEST_F(StepJob, TheRightProgramPasses) {
+  const Result<RunResult> result = run(3.0);
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_TRUE(result->comparison.has_value());
+  EXPECT_TRUE(result->comparison->pass());
+  EXPECT_LT(result->comparison->max_gouge_mm, 1e-4);
+  EXPECT_LT(result->comparison->max_excess_mm, 1e-4);
+}
+
+TEST_F(StepJob, AWrongRadiusIsToldToTheMicrometre) {
+  const Result<RunResult> result = run(3.05);
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->comparison->patches.size(), 1u);
+  const DeviationPatch& patch = result->comparison->patches.front();
+  EXPECT_EQ(patch.kind, DeviationKind::kGouge);
+  EXPECT_NEAR(patch.depth_mm, 0.05, 1e-4);
+  EXPECT_LT(patch.bound_mm, 1e-3);
+  EXPECT_EQ(patch.chord_mm, 0.0);
+}
+
+TEST_F(StepJob, RefusesWhatTheFileSaysItself) {
+  EXPECT_FALSE(job("file = \"blank.stp\"\nbody = 2\nunit = \"inch\"", "mesh = \"part.step\""));
+  EXPECT_THAT(firstError(), HasSubstr("a STEP file states its unit itself"));
+}
+
+TEST_F(StepJob, BodiesAreOfStepFilesOnly) {
+  std::ofstream(folder_.path("blank.stl")) << "solid\nendsolid\n";
+  EXPECT_FALSE(job("file = \"blank.stl\"\nbody = \"blank\"", "mesh = \"part.step\""));
+  EXPECT_THAT(firstError(), HasSubstr("`body` names a body of a STEP file"));
+}
+
+}  // namespace
+}  // namespace proveout::test
