@@ -52,7 +52,7 @@ demo: program
 	echo 'Start with $(DEMO_OUT)/report.html'
 
 test: deps
-	@.ci/install-deps step-packages.txt
+	@.ci/install-deps step-packages.txt || echo 'OpenCASCADE cannot be installed: the tests of STEP files are left out'
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 	ctest --preset release -j $(JOBS) --output-on-failure
