@@ -75,6 +75,7 @@ struct Finding {
   std::optional<int> tool;
   std::string setup;  ///< name of the clamping; empty in a job without setups
   std::string message;
+  std::string feature;             ///< of the CAD model, for people; empty: none is known
   std::optional<double> bound_mm;  ///< the true depth is within this of depth_mm
   std::size_t spots = 1;           ///< places that are told as one
   std::vector<BlockShare> blocks;  ///< that made the surface, largest share first

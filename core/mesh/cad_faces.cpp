@@ -1,5 +1,7 @@
 #include "core/mesh/cad_faces.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
@@ -65,6 +67,69 @@ CadFace CadFace::placed(const MeshPlacement& placement) const {
   out.radius *= placement.scale;
   out.tube_radius *= placement.scale;
   return out;
+}
+
+namespace {
+
+/// "X20.000 Y5.000": the coordinates across the axis, or all where it is none of the frame's.
+std::string placeAcross(const Vec3& at, const Vec3& axis) {
+  int along = -1;
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(axis[k]) > 1.0 - 1e-9) along = k;
+  std::string out;
+  for (int k = 0; k < 3; ++k)
+    if (k != along) out += fmt::format("{}{}{:.3f}", out.empty() ? "" : " ", "XYZ"[k], at[k] + 0.0);
+  return out;
+}
+
+std::string planeText(const CadFace& face) {
+  for (int k = 0; k < 3; ++k) {
+    if (std::abs(face.axis[k]) > 1.0 - 1e-9)
+      return fmt::format("plane at {}{:.3f}", "XYZ"[k], face.origin[k] + 0.0);
+  }
+  return fmt::format("plane with the normal {:.4f}, {:.4f}, {:.4f}", face.axis.x(), face.axis.y(),
+                     face.axis.z());
+}
+
+std::string roundText(const CadFace& face) {
+  const std::string at = placeAcross(face.origin, face.axis);
+  // Holes come as one face or as two halves.
+  if (face.turn_rad > 0.99 * kPi)
+    return fmt::format("{} of diameter {:.6g} at {}", face.hollow ? "hole" : "cylinder", 2.0 * face.radius,
+                       at);
+  return fmt::format("{} of radius {:.6g} about {}", face.hollow ? "inner round" : "outer round", face.radius,
+                     at);
+}
+
+}  // namespace
+
+std::string describe(const CadFace& face) {
+  std::string out;
+  switch (face.kind) {
+    case SurfaceKind::kPlane:
+      out = planeText(face);
+      break;
+    case SurfaceKind::kCylinder:
+      out = roundText(face);
+      break;
+    case SurfaceKind::kCone:
+      out = fmt::format("{} of {:.6g} degrees at {}", face.hollow ? "countersink" : "cone",
+                        2.0 * radToDeg(face.half_angle_rad), placeAcross(face.origin, face.axis));
+      break;
+    case SurfaceKind::kSphere:
+      out = fmt::format("{} of radius {:.6g} about {}", face.hollow ? "hollow sphere" : "sphere", face.radius,
+                        placeAcross(face.origin, Vec3::Zero()));
+      break;
+    case SurfaceKind::kTorus:
+      out = fmt::format("{} of radius {:.6g} along a circle of radius {:.6g} about {}",
+                        face.hollow ? "inner round" : "outer round", face.tube_radius, face.radius,
+                        placeAcross(face.origin, face.axis));
+      break;
+    default:
+      out = "free-form face";
+      break;
+  }
+  return face.name.empty() ? out : fmt::format("{} ({})", out, face.name);
 }
 
 CadFaces facesOf(const TriMesh& mesh, const TriMesh& source, CadFaces faces) {

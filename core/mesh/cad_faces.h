@@ -31,6 +31,7 @@ struct CadFace {
   double radius = 0.0;                         ///< mm; of a cone: at `origin`; of a torus: of its ring
   double tube_radius = 0.0;                    ///< of a torus, mm
   double half_angle_rad = 0.0;                 ///< of a cone, 0..pi/2
+  double turn_rad = 0.0;                       ///< of cylinder and cone: how far round it goes, 0..2 pi
   bool hollow = false;                         ///< the material lies outside of the round: a hole, a fillet
   std::string name;                            ///< as the file has it; may be empty
   std::optional<std::array<float, 3>> colour;  ///< red, green, blue, 0..1
@@ -54,6 +55,10 @@ struct CadFaces {
     return face == kNoFace || faces[face].kind == SurfaceKind::kOther ? nullptr : &faces[face];
   }
 };
+
+/// The face for people: "hole of diameter 8 at X20.000 Y20.000", "plane at Z5.000", and its name where it has
+/// one.
+std::string describe(const CadFace& face);
 
 /// The same faces for a mesh that was made of `source`: its triangles are known by their three corners;
 /// those that were changed have no face. Both meshes lie where the faces lie.

@@ -359,7 +359,7 @@ void Finder::compare(std::size_t own, const Group& group, std::size_t other, con
     for (unsigned rest = there.touching(group.spans.at(k)); rest != 0; rest &= rest - 1) {
       const std::size_t t = other * Spans::kCount + static_cast<std::size_t>(std::countr_zero(rest));
       if (s == t || (s > t && isSuspect(t))) continue;
-      const std::uint32_t low = numberOf(std::min(s, t)), high = numberOf(std::max(s, t));
+      const auto [low, high] = std::minmax({numberOf(s), numberOf(t)});
       if (trianglesMeet(mesh_, low, high)) found.push_back({low, high});
     }
   }

@@ -19,7 +19,7 @@ std::vector<std::array<std::uint32_t, 2>> findIntersections(const TriMesh& mesh,
 /// Those of which at least one triangle has a flag.
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsOf(const TriMesh& mesh,
                                                               std::span<const std::uint8_t> triangles);
-/// Those among some triangles, given by their numbers in order.
+/// Those among some triangles, given by their numbers: fast where numbers that follow are close together.
 std::vector<std::array<std::uint32_t, 2>> findIntersectionsAmong(const TriMesh& mesh,
                                                                  std::span<const std::uint32_t> triangles);
 

@@ -71,6 +71,7 @@ Json findingJson(const Finding& f) {
   if (f.spots > 1) out["spots"] = f.spots;
   if (f.known) out["known"] = true;
   if (!f.worse.empty()) out["worse"] = f.worse;
+  if (!f.feature.empty()) out["feature"] = f.feature;
   out["message"] = f.message;
   if (!f.blocks.empty()) {
     out["blocks"] = Json::array();

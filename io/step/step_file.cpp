@@ -48,6 +48,7 @@ CadFace faceOf(const Json& json) {
   out.radius = json.at("radius");
   out.tube_radius = json.at("tube_radius");
   out.half_angle_rad = json.at("half_angle");
+  out.turn_rad = json.at("turn");
   out.hollow = json.at("hollow");
   out.name = printable(json.at("name").get<std::string>());
   if (const auto colour = json.find("colour"); colour != json.end())
@@ -118,7 +119,9 @@ Error refusalOf(const ReaderEnd& end, const std::string& path, const StepLoadOpt
   if (end.exit_code == kStepRefused && !end.told.empty())
     return inputError(path + ": " + printable(end.told.substr(0, end.told.find('\n'))));
   return inputError(fmt::format(
-      "{}: OpenCASCADE has crashed on it ({}); export it again, or as a mesh", path,
+      "{}: OpenCASCADE has crashed on it ({}): it is damaged, or has what cannot be read; export it again, "
+      "or as a mesh",
+      path,
       end.signal != 0 ? fmt::format("signal {}", end.signal) : fmt::format("exit code {}", end.exit_code)));
 }
 

@@ -6,7 +6,7 @@
 //   "body"       index of the one that follows
 //   "notes"      one sentence each: what was done about a body that is no plain solid
 //   "faces"      objects with "kind" (index of SurfaceKind), "origin", "axis", "radius", "tube_radius",
-//                "half_angle", "hollow", "name" and, where it has one, "colour"
+//                "half_angle", "turn", "hollow", "name" and, where it has one, "colour"
 //   "vertices", "triangles"  how many follow
 // then the vertices (3 floats each), the corners of the triangles (3 of 4 bytes each) and a face for each
 // triangle (4 bytes). On an error the process writes one line to its standard error and ends with

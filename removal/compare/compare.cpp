@@ -153,18 +153,19 @@ void fillVolumes(Asked& asked, double level, std::vector<FoundPatch>& found) {
 }
 
 /// Where the nominal's facets stand for a curved face, the face may be off what they are read as.
-void addChord(const NominalModel& nominal, double reach, DeviationPatch& patch) {
+void addChord(const NominalModel& nominal, const CadFaces* faces, double reach, DeviationPatch& patch) {
   const SurfaceDistance d = nominal.distance.at(patch.where);
   const Vec3 foot = patch.where - d.distance * d.gradient.cast<double>();
   patch.chord_mm = nominal.shape.unsureAt(d.triangle, foot, reach);
   patch.bound_mm += patch.chord_mm;
+  if (faces != nullptr) patch.face = faces->of_triangle[d.triangle];
 }
 
 /// Bounds of a patch that was found, with what the nominal leaves open. Where its deepest place is not
 /// beyond the level by more than its bound, but another one is, that is told.
-bool decide(FoundPatch& found, const NominalModel& nominal, double level, double reach) {
+bool decide(FoundPatch& found, const NominalModel& nominal, double level, const CompareOptions& o) {
   DeviationPatch& p = found.patch;
-  addChord(nominal, reach, p);
+  addChord(nominal, o.nominal_faces.get(), o.resolution_mm, p);
   if (p.depth_mm - p.bound_mm > level) return true;
   if (!(found.surest.depth_mm - found.surest.bound_mm > level)) return false;
   found.surest.tell(p);
@@ -188,7 +189,7 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
     fillVolumes(asked, level, measured);
   }
   for (FoundPatch& found : measured) {
-    if (decide(found, asked.nominal, level, o.resolution_mm)) {
+    if (decide(found, asked.nominal, level, o)) {
       out.patches.push_back(found.patch);
     } else {
       undecided(found);
@@ -258,6 +259,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   Comparison out;
   out.gouge_tolerance_mm = o.gouge_mm;
   out.excess_tolerance_mm = o.excess_mm;
+  out.nominal_faces = o.nominal_faces;
   fillStatistics(sides, out);
   Box3 box = meshBounds(machined);
   box.extend(meshBounds(nominal));

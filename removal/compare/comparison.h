@@ -84,6 +84,7 @@ struct DeviationPatch {
   std::vector<MakerShare> makers;                          ///< of the area, largest share first; at least one
   bool from_nominal_only = false;  ///< seen only by the samples of the nominal surface
   std::size_t spots = 1;           ///< regions that are told as one
+  std::uint32_t face = kNoFace;    ///< of CompareOptions::nominal_faces, at the deepest point
   /// Undecided patches only: the grid spacing at which the error would be small enough to tell, mm; 0 where
   /// the deviation is too close to the tolerance for any practical grid.
   double deciding_resolution_mm = 0.0;
@@ -106,6 +107,7 @@ struct DeviationFigures {
 
 struct Comparison {
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
+  std::shared_ptr<const CadFaces> nominal_faces;  ///< those of the options
   std::vector<DeviationPatch> patches;    ///< beyond tolerance by more than their bound; deepest first
   std::vector<DeviationPatch> undecided;  ///< nearer to a tolerance than their bound; deepest first
   double max_gouge_mm = 0.0;              ///< deepest of both sides, >= 0

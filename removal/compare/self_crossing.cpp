@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/assert.h"
@@ -73,13 +74,42 @@ Crossing crossingOf(const Corners& p, const Corners& q) {
   return {std::min(through, end - begin), on_line + middle * way};
 }
 
+/// Every third bit of a number of ten bits.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16) & 0x030000FFu;
+  x = (x | x << 8) & 0x0300F00Fu;
+  x = (x | x << 4) & 0x030C30C3u;
+  return (x | x << 2) & 0x09249249u;
+}
+
+/// The triangles in the order of the Z curve through their middles: files have them face by face, and those
+/// of a large face in no order.
+std::vector<std::uint32_t> alongZCurve(const TriMesh& mesh) {
+  constexpr double kCells = 1023.0;
+  const Box3 box = meshBounds(mesh);
+  const Vec3 scale = kCells * box.size().cwiseMax(1e-9).cwiseInverse();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> keys(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < keys.size(); ++t) {
+    const Corners c = cornersOf(mesh, t);
+    const Vec3 cell = ((c[0] + c[1] + c[2]) / 3.0 - box.min).cwiseProduct(scale);
+    std::uint32_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      key |= spread(static_cast<std::uint32_t>(std::clamp(cell[axis], 0.0, kCells))) << axis;
+    keys[t] = {key, t};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto& [key, t] : keys) order.push_back(t);
+  return order;
+}
+
 }  // namespace
 
 SelfCrossing findSelfCrossing(const Shells& shells) {
   PROVEOUT_ASSERT(shells.shell_of.size() == shells.mesh.triangles.size());
-  const std::vector<std::uint8_t> all(shells.mesh.triangles.size(), 1);
   SelfCrossing out;
-  for (const auto& [s, t] : findIntersectionsOf(shells.mesh, all)) {
+  for (const auto& [s, t] : findIntersectionsAmong(shells.mesh, alongZCurve(shells.mesh))) {
     if (s == t || shells.shell_of[s] != shells.shell_of[t]) continue;
     const Crossing crossing = crossingOf(cornersOf(shells.mesh, s), cornersOf(shells.mesh, t));
     if (crossing.depth <= kCrossingRoundingMm) continue;

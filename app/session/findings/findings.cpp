@@ -34,12 +34,31 @@ double toleranceFor(const DeviationPatch& patch, const Comparison& comparison) {
   return patch.kind == DeviationKind::kGouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
 }
 
+/// The face of the CAD model that a patch is deepest at; null: none is known.
+const CadFace* faceOf(const DeviationPatch& patch, const Comparison& comparison) {
+  return comparison.nominal_faces == nullptr || patch.face == kNoFace
+             ? nullptr
+             : &comparison.nominal_faces->faces[patch.face];
+}
+
+/// Whether a patch is a hole that is not there: material up to its middle.
+bool isMissing(const DeviationPatch& patch, const CadFace& face) {
+  constexpr double kAll = 0.9;  // of the radius: a smaller drill leaves less
+  return patch.kind == DeviationKind::kExcess && face.kind == SurfaceKind::kCylinder && face.hollow &&
+         face.turn_rad > 0.99 * kPi && patch.depth_mm > kAll * face.radius;
+}
+
 std::string deviationText(const DeviationPatch& patch, const Comparison& comparison) {
   std::string text =
       fmt::format("{} mm {} nominal over {} mm2", figure(patch.depth_mm),
                   patch.kind == DeviationKind::kGouge ? "below" : "above", figure(patch.area_mm2));
   if (patch.spots > 1) text += fmt::format(" in {} spots", patch.spots);
-  return text + fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
+  text += fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
+  const CadFace* const face = faceOf(patch, comparison);
+  if (face == nullptr) return text;
+  if (isMissing(patch, *face))
+    return fmt::format("the {} is missing or too short: {}", describe(*face), text);
+  return fmt::format("{} at the {}", text, describe(*face));
 }
 
 Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
@@ -50,6 +69,13 @@ Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
   finding.volume_mm3 = patch.volume_mm3;
   finding.bound_mm = patch.bound_mm;
   finding.spots = patch.spots;
+  return finding;
+}
+
+/// The same with the feature that it is at.
+Finding patchFinding(FindingKind kind, const DeviationPatch& patch, const Comparison& comparison) {
+  Finding finding = patchFinding(kind, patch);
+  if (const CadFace* const face = faceOf(patch, comparison)) finding.feature = describe(*face);
   return finding;
 }
 
@@ -248,7 +274,7 @@ FindingKind deviationFinding(const DeviationPatch& patch) {
 }
 
 void addDeviation(const DeviationPatch& patch, const Comparison& comparison, std::vector<Finding>& findings) {
-  Finding finding = patchFinding(deviationFinding(patch), patch);
+  Finding finding = patchFinding(deviationFinding(patch), patch, comparison);
   finding.message = deviationText(patch, comparison);
   findings.push_back(std::move(finding));
 }
@@ -262,7 +288,7 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   };
   const DeviationPatch& worst = *std::max_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });
-  Finding finding = patchFinding(FindingKind::kUndecided, worst);
+  Finding finding = patchFinding(FindingKind::kUndecided, worst, comparison);
   finding.message = deviationText(worst, comparison) +
                     fmt::format("; this is good to {:.2g} mm and cannot be decided", worst.bound_mm);
   if (all.size() > 1) finding.message += fmt::format(", nor can {} other places", all.size() - 1);

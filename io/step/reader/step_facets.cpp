@@ -32,9 +32,12 @@ enum Kind { kPlane, kCylinder, kCone, kSphere, kTorus, kOther };
 std::array<double, 3> tripleOf(const gp_XYZ& v) { return {v.X(), v.Y(), v.Z()}; }
 
 /// A point in the middle of the face's parameters, and the normal there that points out of the material.
-void middleOf(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, gp_Pnt& at, gp_Vec& normal) {
+/// `turn`: how far the face goes along the first parameter.
+void middleOf(const TopoDS_Face& face, const BRepAdaptor_Surface& surface, gp_Pnt& at, gp_Vec& normal,
+              double& turn) {
   double u0 = 0.0, u1 = 0.0, v0 = 0.0, v1 = 0.0;
   BRepTools::UVBounds(face, u0, u1, v0, v1);
+  turn = u1 - u0;
   gp_Vec du, dv;
   // A little off the middle: not where a sphere or a torus has a special place.
   surface.D1(u0 + 0.47 * (u1 - u0), v0 + 0.47 * (v1 - v0), at, du, dv);
@@ -47,7 +50,8 @@ FaceSurface surfaceOf(const TopoDS_Face& face) {
   FaceSurface out;
   gp_Pnt at;
   gp_Vec normal;
-  middleOf(face, surface, at, normal);
+  double turn = 0.0;
+  middleOf(face, surface, at, normal, turn);
   gp_XYZ origin, axis(0.0, 0.0, 1.0);
   switch (surface.GetType()) {
     case GeomAbs_Plane:
@@ -91,6 +95,7 @@ FaceSurface surfaceOf(const TopoDS_Face& face) {
   out.origin = tripleOf(origin);
   out.axis = tripleOf(axis);
   if (out.kind == kPlane) return out;
+  if (out.kind == kCylinder || out.kind == kCone) out.turn_rad = turn;
   const gp_XYZ from = at.XYZ() - origin;
   gp_XYZ outwards = from;  // of a sphere
   if (out.kind != kSphere) {

@@ -13,7 +13,7 @@ namespace proveout::step_reader {
 struct FaceSurface {
   int kind = 5;
   std::array<double, 3> origin{}, axis{0.0, 0.0, 1.0};
-  double radius = 0.0, tube_radius = 0.0, half_angle_rad = 0.0;
+  double radius = 0.0, tube_radius = 0.0, half_angle_rad = 0.0, turn_rad = 0.0;
   bool hollow = false;
 };
 

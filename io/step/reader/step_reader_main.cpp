@@ -72,14 +72,10 @@ void write(std::FILE* out, const nlohmann::json& head, const Facets& facets) {
 nlohmann::json faceOf(const StepDocument& document, const Facets& facets, std::size_t k,
                       const TopoDS_Shape& body) {
   const FaceSurface& s = facets.surfaces[k];
-  nlohmann::json out = {{"kind", s.kind},
-                        {"origin", s.origin},
-                        {"axis", s.axis},
-                        {"radius", s.radius},
-                        {"tube_radius", s.tube_radius},
-                        {"half_angle", s.half_angle_rad},
-                        {"hollow", s.hollow},
-                        {"name", document.nameOf(facets.faces[k])}};
+  nlohmann::json out = {
+      {"kind", s.kind},     {"origin", s.origin},           {"axis", s.axis},
+      {"radius", s.radius}, {"tube_radius", s.tube_radius}, {"half_angle", s.half_angle_rad},
+      {"turn", s.turn_rad}, {"hollow", s.hollow},           {"name", document.nameOf(facets.faces[k])}};
   if (const auto colour = document.colourOf(facets.faces[k], body)) out["colour"] = *colour;
   return out;
 }

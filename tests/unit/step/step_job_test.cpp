@@ -33,16 +33,21 @@ class StepJob : public testing::Test {
     return parseJob(text, folder_.path("job.toml"), folder_.path(), names, diagnostics_);
   }
   /// The pocket is cut with a circle of that radius about its middle.
-  Result<RunResult> run(double circle) {
+  Result<RunResult> run(double circle, bool drills = true) {
     const std::optional<Job> read = job("file = \"blank.stp\"\nbody = \"blank\"", "mesh = \"part.step\"");
     if (!read) return inputError(diagnostics_.all().front().message);
     const MemoryProgramSource program(
         "part.nc",
         fmt::format("G21 G90 T1 M6\nS1000 M3 F500\nG0 X20 Y20 Z15\nG1 Z6\nN5 X{0}\nN6 G2 I-{1}\nG1 X20\n"
-                    "G0 Z30\nT2 M6\nG0 X45 Y20\nZ15\nG1 Z-1\nG0 Z30\nM30\n",
-                    20.0 + circle, circle));
+                    "G0 Z30\nT2 M6\nG0 X45 Y20\nZ15\n{2}G0 Z30\nM30\n",
+                    20.0 + circle, circle, drills ? "G1 Z-1\n" : ""));
     Progress progress;
     return runJob(*read, {&program}, progress);
+  }
+  static std::string featureOf(const RunResult& result, FindingKind kind) {
+    for (const Finding& finding : result.findings)
+      if (finding.kind == kind) return finding.feature;
+    return "";
   }
   std::string firstError() const {
     for (const Diagnostic& d : diagnostics_.all())
@@ -71,6 +76,18 @@ TEST_F(StepJob, AWrongRadiusIsToldToTheMicrometre) {
   EXPECT_NEAR(patch.depth_mm, 0.05, 1e-4);
   EXPECT_LT(patch.bound_mm, 1e-3);
   EXPECT_EQ(patch.chord_mm, 0.0);
+  EXPECT_THAT(featureOf(*result, FindingKind::kGouge), HasSubstr("hole of diameter 16 at X20.000 Y20.000"));
+}
+
+TEST_F(StepJob, AMissingHoleIsToldAsOne) {
+  const Result<RunResult> result = run(3.0, false);
+  ASSERT_TRUE(result) << result.error().message;
+  for (const Finding& finding : result->findings) {
+    if (finding.kind != FindingKind::kExcess) continue;
+    EXPECT_EQ(finding.feature, "hole of diameter 6 at X45.000 Y20.000");
+    EXPECT_THAT(finding.message, testing::StartsWith("the hole of diameter 6 at X45.000 Y20.000 is missing"));
+  }
+  EXPECT_EQ(featureOf(*result, FindingKind::kExcess), "hole of diameter 6 at X45.000 Y20.000");
 }
 
 TEST_F(StepJob, RefusesWhatTheFileSaysItself) {
