@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/input_files.h"
+#include "app/session/findings/feature_table.h"
 #include "app/session/findings/findings.h"
 #include "app/session/findings/uncertainty.h"
 #include "app/session/forecast/run_limits.h"
@@ -244,6 +245,7 @@ ReportComparison reportComparison(const Comparison& comparison, const NominalSpe
   report.p95_mm = comparison.p95_mm;
   report.histogram_edges_mm = comparison.histogram.edges_mm;
   report.histogram_area_mm2 = comparison.histogram.area_mm2;
+  report.features = featureTable(comparison);
   report.decided = comparison.undecided.empty();
   double deciding = std::numeric_limits<double>::infinity();
   for (const DeviationPatch& patch : comparison.undecided) {

@@ -191,6 +191,20 @@ struct ReportStock {
 };
 
 /// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
+/// A dimension of a feature, mm.
+struct ReportCharacteristic {
+  std::string
+      name;  ///< "diameter", "radius", "position", "roundness", "flatness", "height", "lowest", "highest"
+  double nominal = 0.0, measured = 0.0;
+};
+
+/// A face of the CAD model as it was machined.
+struct ReportFeature {
+  std::string feature;                                ///< "hole of diameter 8 at X20.000 Y20.000"
+  bool missing = false;                               ///< the part has no surface near most of it
+  std::vector<ReportCharacteristic> characteristics;  ///< none where it is missing
+};
+
 struct ReportComparison {
   std::string nominal;              ///< file
   std::string nominal_unit = "mm";  ///< of the file's coordinates: "mm", "inch", "m"
@@ -203,6 +217,7 @@ struct ReportComparison {
   std::vector<double> histogram_area_mm2;
   bool decided = true;                           ///< false: the grid is too coarse for these tolerances
   std::optional<double> deciding_resolution_mm;  ///< grid that would decide it
+  std::vector<ReportFeature> features;           ///< of a CAD model; empty: the nominal is a mesh
 };
 
 /// One contribution to the error of the figures.

@@ -60,6 +60,29 @@ double CadFace::distance(const Vec3& p) const {
   return hollow ? -out : out;
 }
 
+Vec3 CadFace::normalAt(const Vec3& p) const {
+  if (kind == SurfaceKind::kPlane) return axis;
+  const Vec3 from = p - origin;
+  const double along = from.dot(axis);
+  const Vec3 radial = from - along * axis;
+  const Vec3 across = radial.norm() > 0.0 ? Vec3(radial.normalized()) : Vec3(axis.unitOrthogonal());
+  Vec3 out = across;
+  switch (kind) {
+    case SurfaceKind::kCone:
+      out = std::cos(half_angle_rad) * across - std::sin(half_angle_rad) * axis;
+      break;
+    case SurfaceKind::kSphere:
+      out = from.norm() > 0.0 ? Vec3(from.normalized()) : axis;
+      break;
+    case SurfaceKind::kTorus:
+      out = Vec3(from - radius * across).normalized();
+      break;
+    default:
+      break;
+  }
+  return hollow ? Vec3(-out) : out;
+}
+
 CadFace CadFace::placed(const MeshPlacement& placement) const {
   CadFace out = *this;
   out.origin = placement(origin);

@@ -39,6 +39,8 @@ struct CadFace {
   /// Signed distance of a point to the face's surface without its borders, mm; > 0 outside of the material.
   /// Not of kOther.
   double distance(const Vec3& p) const;
+  /// The direction in which that grows, unit.
+  Vec3 normalAt(const Vec3& p) const;
   CadFace placed(const MeshPlacement& placement) const;
 };
 

@@ -204,6 +204,21 @@ Json numbersJson(const std::vector<double>& values) {
   return out;
 }
 
+Json featuresJson(const std::vector<ReportFeature>& features) {
+  Json out = Json::array();
+  for (const ReportFeature& feature : features) {
+    Json rows = Json::array();
+    for (const ReportCharacteristic& c : feature.characteristics) {
+      rows.push_back({{"name", c.name},
+                      {"nominal_mm", number(c.nominal)},
+                      {"measured_mm", number(c.measured)},
+                      {"deviation_mm", number(c.measured - c.nominal)}});
+    }
+    out.push_back({{"feature", feature.feature}, {"missing", feature.missing}, {"characteristics", rows}});
+  }
+  return out;
+}
+
 Json comparisonJson(const ReportComparison& c) {
   Json out = {{"nominal", c.nominal},
               {"nominal_unit", c.nominal_unit},
@@ -223,6 +238,7 @@ Json comparisonJson(const ReportComparison& c) {
   }
   out["histogram"] = {{"edges_mm", numbersJson(c.histogram_edges_mm)},
                       {"area_mm2", numbersJson(c.histogram_area_mm2)}};
+  if (!c.features.empty()) out["features"] = featuresJson(c.features);
   return out;
 }
 

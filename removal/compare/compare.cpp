@@ -20,6 +20,7 @@
 #include "removal/compare/deviation_patches.h"
 #include "removal/compare/deviation_statistics.h"
 #include "removal/compare/difference_volume.h"
+#include "removal/compare/face_fits.h"
 #include "removal/compare/measured_sides.h"
 #include "removal/compare/nominal.h"
 #include "removal/compare/point_deviation.h"
@@ -269,6 +270,11 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
   judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
   judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
+  if (o.nominal_faces != nullptr) {
+    constexpr double kLeastReach = 1.0, kReach = 4.0;  // mm; of the larger tolerance
+    const double reach = std::max(kLeastReach, kReach * std::max(o.gouge_mm, o.excess_mm));
+    out.face_fits = fitFaces(goal, *o.nominal_faces, asked.part(), reach);
+  }
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
   for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess})

@@ -90,6 +90,19 @@ struct DeviationPatch {
   double deciding_resolution_mm = 0.0;
 };
 
+/// A face of the CAD model as it was machined: least-squares fits, mm.
+struct FaceFit {
+  std::uint32_t face = 0;  ///< index in CadFaces
+  std::size_t points = 0;  ///< of the part's surface that were taken; 0: none lies near enough
+  std::size_t missed = 0;  ///< places of the face where the part has no surface near enough
+  double mean_mm = 0.0;    ///< of the distances off the face, > 0: material stands outside of it
+  double least_mm = 0.0, most_mm = 0.0;
+  double form_mm = 0.0;       ///< what the fit leaves: flatness of planes, roundness of rounds
+  double radius_mm = 0.0;     ///< of cylinders and spheres, as fitted
+  bool placed = false;        ///< the face goes far enough round for its place to be fitted
+  Vec3 shift = Vec3::Zero();  ///< of the axis, across it, or of the centre of a sphere, where it is placed
+};
+
 /// The deviation of any point of the machined surface.
 class DeviationField {
  public:
@@ -108,6 +121,7 @@ struct DeviationFigures {
 struct Comparison {
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
   std::shared_ptr<const CadFaces> nominal_faces;  ///< those of the options
+  std::vector<FaceFit> face_fits;                 ///< of the exact ones of these, in their order
   std::vector<DeviationPatch> patches;    ///< beyond tolerance by more than their bound; deepest first
   std::vector<DeviationPatch> undecided;  ///< nearer to a tolerance than their bound; deepest first
   double max_gouge_mm = 0.0;              ///< deepest of both sides, >= 0

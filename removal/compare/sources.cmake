@@ -8,6 +8,7 @@ proveout_add_library(compare
   compare/deviation_statistics.cpp
   compare/difference_volume.cpp
   compare/exact_part.cpp
+  compare/face_fits.cpp
   compare/join_bodies.cpp
   compare/measured_sides.cpp
   compare/mesh_facets.cpp

@@ -45,6 +45,17 @@ TEST(ReportHtml, ShowsTheRemovalRate) {
   EXPECT_THAT(reportHtml(nothing_cut, {}), Not(HasSubstr("Material removal rate")));
 }
 
+TEST(ReportHtml, ListsFeaturesWithTheirDimensions) {
+  Report report = io_test::sampleReport();
+  EXPECT_THAT(reportHtml(report, {}), Not(HasSubstr("Features of the nominal")));
+  report.comparison->features = io_test::sampleFeatures();
+  const std::string html = reportHtml(report, {});
+  EXPECT_EQ(count(html, "hole of diameter 8 at X20.000 Y5.000"), 1u);
+  EXPECT_THAT(html, HasSubstr("data-label=\"Simulated mm\">8.0200</td>"));
+  EXPECT_THAT(html, HasSubstr("data-label=\"Deviation mm\">+0.0200</td>"));
+  EXPECT_THAT(html, HasSubstr("&lt;slot&gt;</td><td colspan=\"4\">missing"));
+}
+
 TEST(ReportText, FiguresAreTidy) {
   EXPECT_EQ(report_text::figure(0.35312), "0.3531");
   EXPECT_EQ(report_text::figure(174.13), "174.1");

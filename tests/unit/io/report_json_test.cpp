@@ -92,6 +92,20 @@ TEST(ReportJson, HoldsWhatTheReportHolds) {
   EXPECT_EQ(j["checks"]["fixtures"], true);
 }
 
+TEST(ReportJson, HasTheFeaturesOfACadModel) {
+  Report report = io_test::sampleReport();
+  EXPECT_FALSE(Json::parse(reportJson(report))["comparison"].contains("features"));
+  report.comparison->features = io_test::sampleFeatures();
+  report.findings.front().feature = "hole of diameter 8 at X20.000 Y5.000";
+  const Json j = Json::parse(reportJson(report));
+  const Json& features = j["comparison"]["features"];
+  ASSERT_EQ(features.size(), 2u);
+  EXPECT_EQ(features[0]["characteristics"][0]["name"], "diameter");
+  EXPECT_NEAR(features[0]["characteristics"][0]["deviation_mm"].get<double>(), 0.02, 1e-9);
+  EXPECT_TRUE(features[1]["missing"].get<bool>());
+  EXPECT_EQ(j["findings"][0]["feature"], "hole of diameter 8 at X20.000 Y5.000");
+}
+
 TEST(ReportJson, KeepsTheOrderOfKeys) {
   std::vector<std::string> keys;
   const Json j = Json::parse(reportJson(io_test::sampleReport()));

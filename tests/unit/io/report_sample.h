@@ -7,6 +7,12 @@
 
 namespace proveout::io_test {
 
+/// Features of a CAD model: a hole as it was machined, and one that is missing.
+inline std::vector<ReportFeature> sampleFeatures() {
+  return {{"hole of diameter 8 at X20.000 Y5.000", false, {{"diameter", 8.0, 8.02}, {"position", 0.0, 0.01}}},
+          {"<slot>", true, {}}};
+}
+
 inline Report sampleReport() {
   Report r;
   r.name = "bracket <A&B>";

@@ -65,6 +65,14 @@ TEST_F(StepJob, TheRightProgramPasses) {
   EXPECT_TRUE(result->comparison->pass());
   EXPECT_LT(result->comparison->max_gouge_mm, 1e-4);
   EXPECT_LT(result->comparison->max_excess_mm, 1e-4);
+  for (const FaceFit& fit : result->comparison->face_fits) {
+    const CadFace& face = result->comparison->nominal_faces->faces[fit.face];
+    EXPECT_EQ(fit.missed, 0u) << describe(face);
+    EXPECT_LT(fit.form_mm + std::abs(fit.mean_mm) + fit.shift.norm(), 1e-4) << describe(face);
+    if (face.kind == SurfaceKind::kCylinder) {
+      EXPECT_NEAR(fit.radius_mm, face.radius, 1e-4) << describe(face);
+    }
+  }
 }
 
 TEST_F(StepJob, AWrongRadiusIsToldToTheMicrometre) {

@@ -65,6 +65,32 @@ TEST_F(StepNominal, ChordsDoNotMatter) {
   EXPECT_TRUE(off.undecided.empty());
 }
 
+const FaceFit& fitOf(const Comparison& comparison, SurfaceKind kind, double radius) {
+  for (const FaceFit& fit : comparison.face_fits) {
+    const CadFace& face = comparison.nominal_faces->faces[fit.face];
+    if (face.kind == kind && std::abs(face.radius - radius) < 1e-9) return fit;
+  }
+  throw std::runtime_error("no such face");
+}
+
+TEST_F(StepNominal, FacesAreFittedByLeastSquares) {
+  PlateSizes sizes;
+  sizes.blind_radius = 10.03;
+  sizes.seat_radius = 7.94;
+  sizes.blind_x = 60.04;
+  const NominalSpec spec = nominalOf(plate(), "nominal.step");
+  const Comparison off = compared(machined(plate(sizes)), spec);
+  const FaceFit& blind = fitOf(off, SurfaceKind::kCylinder, 10.0);
+  EXPECT_NEAR(blind.radius_mm, 10.03, 1.5 * kMachinedChord);
+  EXPECT_TRUE(blind.placed);
+  EXPECT_LT((blind.shift - Vec3(0.04, 0, 0)).norm(), 0.5 * kMachinedChord);
+  EXPECT_NEAR(fitOf(off, SurfaceKind::kSphere, 8.0).radius_mm, 7.94, 1.5 * kMachinedChord);
+  const FaceFit& through = fitOf(off, SurfaceKind::kCylinder, 4.0);
+  EXPECT_NEAR(through.radius_mm, 4.0, 1.5 * kMachinedChord);
+  EXPECT_LT(through.shift.norm() + through.form_mm, 3.0 * kMachinedChord);
+  EXPECT_EQ(through.missed, 0u);
+}
+
 TEST_F(StepNominal, LiesWhereTheJobPutsIt) {
   NominalSpec spec = nominalOf(turnedPart(), "nominal.step");
   TriMesh part = machined(turnedPart());

@@ -66,8 +66,9 @@ TopoDS_Shape plate(const PlateSizes& sizes) {
   TopoDS_Shape s = BRepPrimAPI_MakeBox(100, 60, 20).Shape();
   s = without(s, BRepPrimAPI_MakeCylinder(upAt(20, 20, -1), r, 30).Shape());
   s = without(s, BRepPrimAPI_MakeCone(upAt(20, 20, 20 - r), r, 2 * r, r).Shape());
-  s = without(s,
-              BRepPrimAPI_MakeCylinder(upAt(60, 30, 20 - sizes.blind_depth), sizes.blind_radius, 30).Shape());
+  s = without(
+      s, BRepPrimAPI_MakeCylinder(upAt(sizes.blind_x, 30, 20 - sizes.blind_depth), sizes.blind_radius, 30)
+             .Shape());
   s = without(s, BRepPrimAPI_MakeSphere(gp_Pnt(85, 30, 20), sizes.seat_radius).Shape());
   // A groove around (35, 45), by half a torus.
   return without(s, BRepPrimAPI_MakeTorus(upAt(35, 45, 20), 9, 3).Shape());

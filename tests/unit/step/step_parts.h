@@ -12,7 +12,7 @@ namespace proveout::test {
 /// twice its radius, a blind hole of radius 10 and depth 10 at (60, 30), a ball seat of radius 8 whose centre
 /// is (85, 30, 20), and a quarter of a torus as the fillet of a boss.
 struct PlateSizes {
-  double through_radius = 4.0, blind_radius = 10.0, blind_depth = 10.0, seat_radius = 8.0;
+  double through_radius = 4.0, blind_radius = 10.0, blind_depth = 10.0, seat_radius = 8.0, blind_x = 60.0;
 };
 TopoDS_Shape plate(const PlateSizes& sizes = {});
 /// Turned about Z: 80 long, radius 20 with a cone of 10 degrees and a groove with a round of radius 3.
