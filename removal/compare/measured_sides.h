@@ -5,7 +5,7 @@
 
 #include "core/mesh/signed_distance.h"
 #include "removal/compare/comparison.h"
-#include "removal/compare/nominal_shape.h"
+#include "removal/compare/shape/nominal_shape.h"
 #include "removal/compare/sample_mesh.h"
 
 namespace proveout {

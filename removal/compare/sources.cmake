@@ -2,7 +2,7 @@ proveout_add_library(compare
   compare/body_gap.cpp
   compare/compare.cpp
   compare/cracks.cpp
-  compare/curved_facets.cpp
+  compare/shape/curved_facets.cpp
   compare/deepest_point.cpp
   compare/deviation_patches.cpp
   compare/deviation_statistics.cpp
@@ -11,13 +11,13 @@ proveout_add_library(compare
   compare/face_fits.cpp
   compare/join_bodies.cpp
   compare/measured_sides.cpp
-  compare/mesh_facets.cpp
+  compare/shape/mesh_facets.cpp
   compare/nominal.cpp
-  compare/nominal_shape.cpp
+  compare/shape/nominal_shape.cpp
   compare/point_deviation.cpp
   compare/sample_mesh.cpp
   compare/self_crossing.cpp
-  compare/shape_reader.cpp
+  compare/shape/shape_reader.cpp
   compare/shell_sides.cpp
   compare/spots.cpp
   compare/stray_facets.cpp)

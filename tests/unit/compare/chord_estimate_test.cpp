@@ -7,7 +7,7 @@
 #include <random>
 
 #include "removal/compare/compare.h"
-#include "removal/compare/nominal_shape.h"
+#include "removal/compare/shape/nominal_shape.h"
 #include "tests/support/lofts.h"
 #include "tests/support/tessellations.h"
 #include "tests/unit/compare/shapes.h"

@@ -1,5 +1,5 @@
 // Facets read as the curved faces that they stand for, against the faces themselves.
-#include "removal/compare/nominal_shape.h"
+#include "removal/compare/shape/nominal_shape.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "removal/compare/curved_facets.h"
+#include "removal/compare/shape/curved_facets.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -1,11 +1,11 @@
-#include "removal/compare/shape_reader.h"
+#include "removal/compare/shape/shape_reader.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "removal/compare/curved_facets.h"
+#include "removal/compare/shape/curved_facets.h"
 
 namespace proveout::shape_detail {
 

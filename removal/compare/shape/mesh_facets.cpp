@@ -1,4 +1,4 @@
-#include "removal/compare/mesh_facets.h"
+#include "removal/compare/shape/mesh_facets.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "removal/compare/mesh_facets.h"
+#include "removal/compare/shape/mesh_facets.h"
 
 namespace proveout::shape_detail {
 

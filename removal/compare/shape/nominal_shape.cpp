@@ -1,11 +1,11 @@
-#include "removal/compare/nominal_shape.h"
+#include "removal/compare/shape/nominal_shape.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/assert.h"
-#include "removal/compare/shape_reader.h"
+#include "removal/compare/shape/shape_reader.h"
 
 namespace proveout {
 
