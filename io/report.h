@@ -190,7 +190,6 @@ struct ReportStock {
   bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold
 };
 
-/// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
 /// A dimension of a feature, mm.
 struct ReportCharacteristic {
   std::string
@@ -205,6 +204,7 @@ struct ReportFeature {
   std::vector<ReportCharacteristic> characteristics;  ///< none where it is missing
 };
 
+/// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
 struct ReportComparison {
   std::string nominal;              ///< file
   std::string nominal_unit = "mm";  ///< of the file's coordinates: "mm", "inch", "m"

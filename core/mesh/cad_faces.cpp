@@ -116,8 +116,7 @@ std::string planeText(const CadFace& face) {
 
 std::string roundText(const CadFace& face) {
   const std::string at = placeAcross(face.origin, face.axis);
-  // Holes come as one face or as two halves.
-  if (face.turn_rad > 0.99 * kPi)
+  if (face.isWholeCylinder())
     return fmt::format("{} of diameter {:.6g} at {}", face.hollow ? "hole" : "cylinder", 2.0 * face.radius,
                        at);
   return fmt::format("{} of radius {:.6g} about {}", face.hollow ? "inner round" : "outer round", face.radius,

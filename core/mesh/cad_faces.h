@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/geometry/types.h"
@@ -15,12 +14,6 @@
 namespace proveout {
 
 enum class SurfaceKind : std::uint8_t { kPlane, kCylinder, kCone, kSphere, kTorus, kOther };
-inline constexpr std::array kSurfaceKindNames = {std::string_view("plane"), std::string_view("cylinder"),
-                                                 std::string_view("cone"),  std::string_view("sphere"),
-                                                 std::string_view("torus"), std::string_view("other")};
-inline std::string_view surfaceKindName(SurfaceKind kind) {
-  return kSurfaceKindNames[static_cast<std::size_t>(kind)];
-}
 
 struct CadFace {
   SurfaceKind kind = SurfaceKind::kOther;
@@ -42,6 +35,8 @@ struct CadFace {
   /// The direction in which that grows, unit.
   Vec3 normalAt(const Vec3& p) const;
   CadFace placed(const MeshPlacement& placement) const;
+  /// A hole or a boss, whose size is a diameter; such come as one face or as two halves.
+  bool isWholeCylinder() const { return kind == SurfaceKind::kCylinder && turn_rad > 0.99 * kPi; }
 };
 
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFu;

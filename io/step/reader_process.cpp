@@ -7,12 +7,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <filesystem>
 #include <new>
 
 #include "core/base/memory.h"
@@ -124,17 +124,6 @@ Result<ReaderEnd> runReader(const std::string& program, const std::vector<std::s
   end.too_long = end.too_long || end.signal == SIGXCPU;
   end.interrupted = end.signal == SIGINT || end.signal == SIGTERM;
   return end;
-}
-
-Status checkReadable(const std::string& path) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return inputError(path + ": no such file");
-  if (!std::filesystem::is_regular_file(status)) return inputError(path + ": is no regular file");
-  if (std::filesystem::file_size(path, error) == 0) return inputError(path + ": is empty");
-  if (::access(path.c_str(), R_OK) != 0)
-    return inputError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return Done{};
 }
 
 }  // namespace proveout

@@ -21,7 +21,4 @@ struct ReaderEnd {
 Result<ReaderEnd> runReader(const std::string& program, const std::vector<std::string>& arguments,
                             int most_s);
 
-/// Error: there is no regular file of that name that can be read, or it is empty.
-Status checkReadable(const std::string& path);
-
 }  // namespace proveout

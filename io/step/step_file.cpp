@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <span>
+#include <system_error>
 
 #include "core/base/installed_file.h"
-#include "core/base/memory.h"
 #include "core/base/printable.h"
+#include "io/atomic_file.h"
 #include "io/mesh_formats.h"
 #include "io/step/reader_process.h"
 #include "io/step/step_stream.h"
@@ -142,7 +143,9 @@ Status checkStepReader() {
 
 Result<StepBody> loadStep(const std::string& path, const StepLoadOptions& options) {
   if (const Status there = checkStepReader(); !there) return there.error();
-  if (const Status readable = checkReadable(path); !readable) return readable.error();
+  if (const Status readable = checkRegularFile(path); !readable) return readable.error();
+  if (std::error_code error; std::filesystem::file_size(path, error) == 0)
+    return inputError(path + ": is empty");
   const std::string program = installedFiles(kStepReaderName).front();
   Result<ReaderEnd> end =
       runReader(program,

@@ -1,7 +1,5 @@
 #include "app/session/findings/feature_table.h"
 
-#include <algorithm>
-
 namespace proveout {
 namespace {
 
@@ -9,8 +7,7 @@ namespace {
 bool isGone(const FaceFit& fit) { return fit.missed > fit.points; }
 
 void addRound(const CadFace& face, const FaceFit& fit, ReportFeature& out) {
-  const bool whole = face.kind == SurfaceKind::kCylinder && face.turn_rad > 0.99 * kPi;
-  if (whole) {
+  if (face.isWholeCylinder()) {
     out.characteristics.push_back({"diameter", 2.0 * face.radius, 2.0 * fit.radius_mm});
   } else {
     out.characteristics.push_back({"radius", face.radius, fit.radius_mm});

@@ -44,8 +44,8 @@ const CadFace* faceOf(const DeviationPatch& patch, const Comparison& comparison)
 /// Whether a patch is a hole that is not there: material up to its middle.
 bool isMissing(const DeviationPatch& patch, const CadFace& face) {
   constexpr double kAll = 0.9;  // of the radius: a smaller drill leaves less
-  return patch.kind == DeviationKind::kExcess && face.kind == SurfaceKind::kCylinder && face.hollow &&
-         face.turn_rad > 0.99 * kPi && patch.depth_mm > kAll * face.radius;
+  return patch.kind == DeviationKind::kExcess && face.isWholeCylinder() && face.hollow &&
+         patch.depth_mm > kAll * face.radius;
 }
 
 std::string deviationText(const DeviationPatch& patch, const Comparison& comparison) {

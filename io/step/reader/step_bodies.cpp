@@ -54,7 +54,7 @@ struct StepDocument::Impl {
   void add(const TopoDS_Shape& shape, const std::string& name, std::vector<Body>& out) const;
 };
 
-StepDocument::StepDocument(const std::string& path) : impl_(new Impl) {
+StepDocument::StepDocument(const std::string& path) : impl_(std::make_unique<Impl>()) {
   XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", impl_->document);
   impl_->reader.SetNameMode(true);
   impl_->reader.SetColorMode(true);
@@ -71,7 +71,7 @@ StepDocument::StepDocument(const std::string& path) : impl_(new Impl) {
   impl_->nameFaces();
 }
 
-StepDocument::~StepDocument() { delete impl_; }
+StepDocument::~StepDocument() = default;
 
 /// A part by its name in the assembly, and else by its own.
 void StepDocument::Impl::gather(const TDF_Label& label, const TopLoc_Location& place, const std::string& name,

@@ -53,24 +53,23 @@ FaceSurface surfaceOf(const TopoDS_Face& face) {
   double turn = 0.0;
   middleOf(face, surface, at, normal, turn);
   gp_XYZ origin, axis(0.0, 0.0, 1.0);
+  const auto take = [&](int kind, const gp_Ax3& position, double radius) {
+    out.kind = kind;
+    origin = position.Location().XYZ();
+    axis = position.Direction().XYZ();
+    out.radius = radius;
+  };
   switch (surface.GetType()) {
     case GeomAbs_Plane:
       if (normal.Magnitude() == 0.0) return out;
-      out.kind = kPlane;
-      origin = surface.Plane().Location().XYZ();
+      take(kPlane, surface.Plane().Position(), 0.0);
       axis = normal.Normalized().XYZ();
       break;
     case GeomAbs_Cylinder:
-      out.kind = kCylinder;
-      origin = surface.Cylinder().Location().XYZ();
-      axis = surface.Cylinder().Axis().Direction().XYZ();
-      out.radius = surface.Cylinder().Radius();
+      take(kCylinder, surface.Cylinder().Position(), surface.Cylinder().Radius());
       break;
     case GeomAbs_Cone:
-      out.kind = kCone;
-      origin = surface.Cone().Location().XYZ();
-      axis = surface.Cone().Axis().Direction().XYZ();
-      out.radius = surface.Cone().RefRadius();
+      take(kCone, surface.Cone().Position(), surface.Cone().RefRadius());
       out.half_angle_rad = surface.Cone().SemiAngle();
       if (out.half_angle_rad < 0.0) {  // towards the wide end
         axis.Reverse();
@@ -78,15 +77,10 @@ FaceSurface surfaceOf(const TopoDS_Face& face) {
       }
       break;
     case GeomAbs_Sphere:
-      out.kind = kSphere;
-      origin = surface.Sphere().Location().XYZ();
-      out.radius = surface.Sphere().Radius();
+      take(kSphere, surface.Sphere().Position(), surface.Sphere().Radius());
       break;
     case GeomAbs_Torus:
-      out.kind = kTorus;
-      origin = surface.Torus().Location().XYZ();
-      axis = surface.Torus().Axis().Direction().XYZ();
-      out.radius = surface.Torus().MajorRadius();
+      take(kTorus, surface.Torus().Position(), surface.Torus().MajorRadius());
       out.tube_radius = surface.Torus().MinorRadius();
       break;
     default:
@@ -112,11 +106,13 @@ FaceSurface surfaceOf(const TopoDS_Face& face) {
   return out;
 }
 
-void addFace(const TopoDS_Face& face, Facets& out) {
+/// The facets of face number `number` of `out`.
+void addFace(std::size_t number, Facets& out) {
+  const TopoDS_Face& face = out.faces[number];
   TopLoc_Location place;
   const Handle(Poly_Triangulation) mesh = BRep_Tool::Triangulation(face, place);
   if (mesh.IsNull() || mesh->NbTriangles() == 0) {
-    throw Refusal{"face " + std::to_string(out.faces.size() + 1) +
+    throw Refusal{"face " + std::to_string(number + 1) +
                   " cannot be meshed: its borders do not close; repair the body in the CAD system"};
   }
   const auto first = static_cast<std::uint32_t>(out.vertices.size());
@@ -131,19 +127,18 @@ void addFace(const TopoDS_Face& face, Facets& out) {
     if (reversed) std::swap(b, c);
     const auto index = [&](int node) { return first + static_cast<std::uint32_t>(node - 1); };
     out.triangles.push_back({index(a), index(b), index(c)});
-    out.face_of.push_back(static_cast<std::uint32_t>(out.faces.size()));
+    out.face_of.push_back(static_cast<std::uint32_t>(number));
   }
-  out.faces.push_back(face);
 }
 
 }  // namespace
 
 Facets facetsOf(const TopoDS_Shape& body, double chord_mm, double free_chord_mm) {
   Facets out;
-  std::vector<TopoDS_Face> faces;
-  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next())
-    faces.push_back(TopoDS::Face(face.Current()));
-  for (const TopoDS_Face& face : faces) out.surfaces.push_back(surfaceOf(face));
+  for (TopExp_Explorer face(body, TopAbs_FACE); face.More(); face.Next()) {
+    out.faces.push_back(TopoDS::Face(face.Current()));
+    out.surfaces.push_back(surfaceOf(out.faces.back()));
+  }
   const bool free = std::any_of(out.surfaces.begin(), out.surfaces.end(),
                                 [](const FaceSurface& s) { return s.kind == kOther; });
   IMeshTools_Parameters mesh;
@@ -153,7 +148,7 @@ Facets facetsOf(const TopoDS_Shape& body, double chord_mm, double free_chord_mm)
   mesh.Angle = kMostTurn;
   mesh.InParallel = true;
   BRepMesh_IncrementalMesh(body, mesh);
-  for (const TopoDS_Face& face : faces) addFace(face, out);
+  for (std::size_t k = 0; k < out.faces.size(); ++k) addFace(k, out);
   return out;
 }
 
