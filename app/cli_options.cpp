@@ -216,6 +216,7 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->allow_extra_args(false);
   app->add_option("--size", o.size, "Size of the pictures; default: 1280x960")->type_name("WxH");
   app->add_flag("--no-render", o.no_render, "No pictures");
+  app->add_flag("--no-view3d", o.no_view3d, "No 3-D view in report.html; --no-render leaves it out too");
   app->add_flag("--bodies", o.bodies, "Write a mesh file for each piece that a wire cut free: slugs/");
   app->add_flag("--csv", o.csv,
                 "Write blocks.csv (what each block removed) and mrr.svg (its rate over time)");

@@ -47,6 +47,7 @@ struct RunOptions {
   std::vector<std::string> views;
   std::optional<std::string> size;
   bool no_render = false;
+  bool no_view3d = false;
   bool csv = false;
   bool bodies = false;
   bool json = false;

@@ -8,6 +8,7 @@
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/outputs.h"
+#include "app/page/report_view.h"
 #include "app/run_report.h"
 #include "app/session/findings/findings.h"
 #include "app/session/forecast/comparison_work.h"
@@ -163,13 +164,17 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
     drawn = maker.drawDeviation(mesh, *result.comparison, report.findings, progress);
   if (drawn) drawn = maker.drawFindings(mesh, report.findings, progress);
   if (!drawn) return drawn;
+  PageContent page;
+  page.view = viewOfMeshes({mesh, result.comparison ? &pair.nominal.mesh : nullptr,
+                            result.comparison ? &*result.comparison : nullptr, report.findings},
+                           progress);
   report.performance.render_s = watch.lap();
   report.performance.wall_s += report.performance.render_s;
   report.performance.peak_memory_mb = peakMemoryMb();
   failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
   Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
-  writeReport(maker.pictures, *staging, report, failures);
+  writeReport(maker.pictures, *staging, report, failures, std::move(page));
   return staging->commit();
 }
 

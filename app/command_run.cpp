@@ -8,6 +8,7 @@
 #include "app/input_files.h"
 #include "app/job_setup.h"
 #include "app/outputs.h"
+#include "app/page/report_view.h"
 #include "app/pictures.h"
 #include "app/run_report.h"
 #include "app/session/findings/acceptance.h"
@@ -86,6 +87,21 @@ class RunPictures {
   double drawn_s_ = 0.0;
 };
 
+/// What report.html has besides pictures. `drawn_s` grows by the time that it takes.
+PageContent pageOf(const Job& job, const RunResult& run, const RunSources& sources, const Progress& progress,
+                   double& drawn_s) {
+  PageContent page;
+  if (!wantsView(job) || run.alarm) return page;
+  Stopwatch watch;
+  const TriMesh* nominal = run.comparison && run.nominal ? &*run.nominal : nullptr;
+  const std::vector<Finding> findings = findingsInLastFrame(run);
+  page.view = viewOfRun(run, sources,
+                        {run.surface().mesh, nominal, run.comparison ? &*run.comparison : nullptr, findings},
+                        progress);
+  drawn_s += watch.lap();
+  return page;
+}
+
 /// Where a run writes, and what it must not write over.
 struct Target {
   std::string folder;
@@ -107,7 +123,7 @@ Status checkPrograms(const RunResult& run, const RunSources& sources, const Job&
 }
 
 /// Errors: the folder cannot be written at all. What else fails is kept and told by the report.
-Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures,
+Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures, PageContent page,
                 const Target& target, Progress& progress, Report& report, OutputFailures& failures) {
   Result<StagingFolder> staging = StagingFolder::create(target.folder, &target.guard, &progress);
   if (!staging) return staging.error();
@@ -121,7 +137,7 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
   }
   report.performance.peak_memory_mb = peakMemoryMb();  // files take more than the run that they are of
-  writeReport(pictures, *staging, report, failures);
+  writeReport(pictures, *staging, report, failures, std::move(page));
   return staging->commit();
 }
 
@@ -207,6 +223,7 @@ Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& pro
   ReportAcceptance accepted = accept(job, wish.acceptance, run->comparison.has_value(), run->findings);
   if (const Status drawn = pictures.drawFindings(*run, progress); !drawn) return drawn.error();
   run->performance.render_s = pictures.drawnS();
+  PageContent page = pageOf(job, *run, sources.all(), progress, run->performance.render_s);
   Result<Report> report = makeReport(job, *run, sources.all());
   if (!report) return report.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};
@@ -214,8 +231,8 @@ Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& pro
   Written written{std::move(*report), pictures.failures()};
   written.report.command = wish.command;
   written.report.acceptance = std::move(accepted);
-  if (const Status done =
-          writeAll(job, *run, pictures.pictures(), target, progress, written.report, written.failures);
+  if (const Status done = writeAll(job, *run, pictures.pictures(), std::move(page), target, progress,
+                                   written.report, written.failures);
       !done)
     return done.error();
   return written;

@@ -209,6 +209,7 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
   }
   if (options.csv) job.output.csv = true;
   if (options.bodies) job.output.bodies = true;
+  if (options.no_view3d || options.no_render) job.output.view3d = false;
   const bool pictures = !options.views.empty() || options.size;
   if (options.no_render && pictures) diagnostics.add(usageError("--no-render contradicts --view and --size"));
   if (!options.views.empty() || options.no_render) job.output.views.clear();  // no view, no picture

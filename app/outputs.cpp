@@ -230,7 +230,7 @@ void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const Tri
 }
 
 void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
-                 OutputFailures& failures) {
+                 OutputFailures& failures, PageContent page) {
   std::size_t told = 0;
   const auto tell = [&] {
     for (; told < failures.size(); ++told) {
@@ -240,16 +240,15 @@ void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, R
     }
     report.verdict = verdictOf(report);
   };
-  std::vector<ReportPicture> embedded;
   for (const Picture& picture : pictures) {
-    embedded.push_back({picture.title, picture.png});
+    page.pictures.push_back({picture.title, picture.png});
     const Status written = writeText(picture.file, picture.png, staging);
     keep(written, failures);
     if (written) report.outputs.images.push_back({picture.file, picture.title});
   }
   report.outputs.html = "report.html";
   tell();
-  if (const Status html = writeText("report.html", reportHtml(report, embedded), staging); !html) {
+  if (const Status html = writeText("report.html", reportPage(report, page), staging); !html) {
     keep(html, failures);
     report.outputs.html.clear();
     tell();

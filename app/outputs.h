@@ -12,6 +12,7 @@
 #include "io/job/job.h"
 #include "io/report.h"
 #include "io/report/profile_chart.h"
+#include "io/report/report_page.h"
 #include "removal/grid/stock.h"
 
 namespace proveout {
@@ -66,9 +67,10 @@ void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const Tri
                        OutputFailures& failures);
 
 /// Writes pictures, report.html, junit.xml and report.json; records the pictures. What failed before, and
-/// fails here, is told by those that come behind it, as findings of kind kOutput.
+/// fails here, is told by those that come behind it, as findings of kind kOutput. `page`: what report.html
+/// has besides the pictures.
 void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
-                 OutputFailures& failures);
+                 OutputFailures& failures, PageContent page = {});
 
 /// The exit code of a run: that of its report, unless an output is missing.
 int exitCodeOf(const Report& report, const OutputFailures& failures);

@@ -268,6 +268,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   Report report;
   report.name = job.name;
   report.version = versionText();
+  report.head = job.report.head;
   report.program = reportProgram(job, run);
   report.setups = reportSetups(job, run);
   report.time = reportTime(job, run);

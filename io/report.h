@@ -15,6 +15,7 @@
 #include "core/mesh/mesh_placement.h"
 #include "io/acceptance.h"
 #include "io/finding_kind.h"
+#include "io/report_wish.h"
 #include "io/verdict.h"
 #include "removal/process/stock_body.h"
 
@@ -275,6 +276,7 @@ struct Report {
   std::string name;
   std::string version;  ///< of proveout
   Verdict verdict = Verdict::kError;
+  std::vector<ReportHeadLine> head;  ///< what the job says of part and people
   ReportChecks checks;
   ReportProgram program;
   std::vector<ReportSetup> setups;  ///< in their order; empty in a job without setups

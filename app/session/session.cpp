@@ -221,7 +221,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   Status done = Done{};
   if (something && prepared.nominal) {
     done = compareAndWork(job, sources, prepared, run, progress, meanwhile);
-    if (run.setups.back().form->profile() != nullptr) run.nominal = std::move(prepared.nominal->mesh);
+    run.nominal = std::move(prepared.nominal->mesh);
   } else if (something && meanwhile) {
     done = meanwhile(run.setups.back(), progress);
   }

@@ -7,6 +7,7 @@ find_package(Imath 3 REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)  # libpng-dev brings it
 find_package(nlohmann_json 3 REQUIRED)
 
 # OpenVDB's own find module asks for Boost.Iostreams headers that libopenvdb-dev does not pull in, so the

@@ -23,6 +23,10 @@ if(TARGET proveout_step)
   install(TARGETS proveout_step RUNTIME DESTINATION ${CMAKE_INSTALL_LIBDIR}/proveout)
 endif()
 
+if(TARGET proveout_report_view)
+  install(FILES ${PROJECT_BINARY_DIR}/lib/proveout/report_view.js DESTINATION ${CMAKE_INSTALL_LIBDIR}/proveout)
+endif()
+
 # Headers that a user of the libraries includes, with those that they include; the others are nobody's business
 # outside.
 foreach(folder core/base core/geometry core/machine core/path core/tool removal/process io render)

@@ -13,6 +13,9 @@ set(PROVEOUT_LINKED
 if(TARGET proveout_step)
   list(APPEND PROVEOUT_LINKED "opencascade|libocct-foundation-[0-9]*")
 endif()
+if(TARGET proveout_report_view)
+  list(APPEND PROVEOUT_LINKED "three|libjs-three")
+endif()
 set(PROVEOUT_LICENCE_DIR ${CMAKE_INSTALL_DATADIR}/doc/proveout/licenses)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${PROVEOUT_LICENCE_DIR} RENAME proveout.txt COMPONENT licences)

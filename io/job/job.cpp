@@ -89,6 +89,8 @@ bool writesBodies(const Job& job) {
   return job.output.bodies.value_or(job.part_point.has_value() && !job.nominal.has_value());
 }
 
+bool wantsView(const Job& job) { return job.output.view3d.value_or(!job.output.views.empty()); }
+
 std::size_t setupCount(const Job& job) { return job.setups.empty() ? 1 : job.setups.size(); }
 
 std::vector<std::string> controlsOf(const Job& job) {
@@ -144,6 +146,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readSimulation(root, job);
   readSeverities(root, job);
   readOutput(root, names, job);
+  readReport(root, job);
   readFixtures(root, job);
   readSetups(root, names, job);
   readChannels(root, names, job);

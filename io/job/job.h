@@ -23,6 +23,7 @@
 #include "io/acceptance.h"
 #include "io/job/cutting_limits.h"
 #include "io/mesh_io.h"
+#include "io/report_wish.h"
 #include "removal/compare/compare.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
@@ -84,6 +85,7 @@ struct OutputSpec {
   int width = 1280, height = 960;            ///< pixels, 16..8192
   bool csv = false;                          ///< blocks.csv and mrr.svg
   std::vector<double> sections;              ///< heights of section drawings, mm, frame of the last setup
+  std::optional<bool> view3d;                ///< the 3-D view of report.html; see wantsView
   std::optional<bool> bodies;  ///< a mesh file for each piece that was cut free; see writesBodies
 };
 
@@ -167,6 +169,7 @@ struct Job {
   SimulationSpec simulation;
   SeverityChoice severities;  ///< [severity]
   OutputSpec output;
+  ReportWish report;  ///< [report]
 };
 
 /// Whether the job asks for a .vdb file, which only a grid gives.
@@ -174,6 +177,8 @@ bool savesStock(const Job& job);
 /// Whether pieces that were cut free get mesh files of their own: what the job says, else where a point names
 /// the part and there is no nominal, so that its mesh file has the part alone.
 bool writesBodies(const Job& job);
+/// Whether report.html is to have its 3-D view: what the job says, else where pictures are drawn.
+bool wantsView(const Job& job);
 /// The main programs of the job, of a clamping or of its channels: "left.nc, right.nc".
 std::string programNames(const Job& job);
 /// Number of clampings, at least 1.

@@ -603,6 +603,7 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
   }
   if (const auto csv = output->flag("csv")) job.output.csv = *csv;
   readSections(*output, job);
+  if (const auto view = output->flag("view3d")) job.output.view3d = *view;
   if (const auto bodies = output->flag("bodies")) job.output.bodies = *bodies;
   const ConfigValue* size = output->find("size");
   if (size != nullptr && isList(root.document(), *size, "size")) {

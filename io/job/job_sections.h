@@ -44,6 +44,8 @@ std::optional<StockSpec> readShape(ConfigTable& table, const std::vector<std::st
 std::optional<StockSpec> readMeshFile(ConfigTable& table, const std::string& key);
 /// [[setup]]; call after everything that setups may change.
 void readSetups(ConfigTable& root, const JobNames& names, Job& job);
+/// [report]
+void readReport(ConfigTable& root, Job& job);
 void readOutput(ConfigTable& root, const JobNames& names, Job& job);
 
 }  // namespace proveout

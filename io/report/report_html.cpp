@@ -13,13 +13,11 @@ namespace proveout {
 
 namespace {
 
+using report_html::kMaxRows;
 using report_text::duration;
 using report_text::escape;
 using report_text::fixed;
 using report_text::grouped;
-
-/// More findings than these are counted, not shown: nobody reads them, and browsers choke on them.
-constexpr std::size_t kMaxRows = 500;
 
 /// What the figures of the table of tools are.
 constexpr const char* kToolFigures =
@@ -37,15 +35,17 @@ constexpr const char* kWireFigures =
 
 class Page {
  public:
-  Page(const Report& report, const std::vector<ReportPicture>& pictures, const ReportOptions& options)
-      : r_(report), pictures_(pictures), options_(options) {}
+  Page(const Report& report, const PageContent& content, const ReportOptions& options)
+      : r_(report), content_(content), options_(options) {}
 
   std::string build() {
     begin();
     header();
+    out_ += report_html::headLines(r_);
     cards();
+    out_ += report_html::viewSection(content_.view);
     pictures();
-    findings();
+    out_ += report_html::findingsSection(r_, content_);
     messages();
     comparison();
     profile();
@@ -56,7 +56,9 @@ class Page {
     errorBudget();
     files();
     performance();
-    add("<footer>proveout {}</footer>\n</main>\n</body>\n</html>\n", escape(r_.version));
+    add("<footer>proveout {}</footer>\n</main>\n", escape(r_.version));
+    out_ += report_html::viewScript(content_.view);
+    out_ += "</body>\n</html>\n";
     return std::move(out_);
   }
 
@@ -69,8 +71,11 @@ class Page {
   void begin() {
     add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n"
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
+        "'unsafe-inline'; script-src {}\">\n"
         "<title>{}: {}</title>\n<style>",
-        escape(r_.name), verdictName(r_.verdict));
+        content_.view.data.empty() ? "'none'" : "'unsafe-inline'", escape(r_.name), verdictName(r_.verdict));
     out_ += report_html::styleSheet();
     out_ += "</style>\n</head>\n<body>\n<main>\n";
   }
@@ -136,9 +141,9 @@ class Page {
   }
 
   void pictures() {
-    if (pictures_.empty()) return;
+    if (content_.pictures.empty()) return;
     out_ += "<section class=\"pictures\">\n";
-    for (const ReportPicture& picture : pictures_) {
+    for (const ReportPicture& picture : content_.pictures) {
       add("<figure><img alt=\"{0}\" src=\"{1}\"><figcaption>{0}</figcaption></figure>\n",
           escape(picture.title), report_html::pngDataUri(picture.png));
     }
@@ -147,74 +152,6 @@ class Page {
 
   void figureCell(std::string_view label, const std::optional<double>& value, int decimals) {
     add("<td class=\"num\" data-label=\"{}\">{}</td>", label, value ? fixed(*value, decimals) : "");
-  }
-
-  void findings() {
-    add("<section>\n<h2>Findings ({})</h2>\n", r_.findings.size());
-    acceptance();
-    if (r_.findings.empty()) {
-      out_ += "<p class=\"quiet\">None.</p>\n</section>\n";
-      return;
-    }
-    out_ +=
-        "<div class=\"wide\"><table class=\"stack\"><thead><tr><th "
-        "class=\"num\">#</th><th>Kind</th><th>Program line</th>"
-        "<th class=\"num\">Tool</th><th class=\"num\">x, y, z (mm)</th><th class=\"num\">Depth mm</th>"
-        "<th class=\"num\">Area mm²</th><th class=\"num\">Volume "
-        "mm³</th><th>Finding</th></tr></thead><tbody>\n";
-    const std::size_t shown = std::min(kMaxRows, r_.findings.size());
-    for (std::size_t i = 0; i < shown; ++i) findingRow(i);
-    out_ += "</tbody></table></div>\n";
-    if (shown < r_.findings.size()) {
-      add("<p class=\"quiet\">{} more are in report.json.</p>\n", r_.findings.size() - shown);
-    }
-    out_ += "</section>\n";
-  }
-
-  /// What was accepted of the findings, and what is gone of the known ones.
-  void acceptance() {
-    for (const std::string& line : report_text::acceptanceLines(r_.acceptance))
-      add("<p class=\"quiet\">{}</p>\n", escape(line));
-    if (!r_.acceptance.baseline || r_.acceptance.baseline->gone.empty()) return;
-    const std::vector<KnownFinding>& gone = r_.acceptance.baseline->gone;
-    out_ += "<ul class=\"quiet\">\n";
-    for (std::size_t i = 0; i < std::min(kMaxRows, gone.size()); ++i)
-      add("<li>gone: {}</li>\n", escape(report_text::goneLine(gone[i])));
-    out_ += "</ul>\n";
-    if (gone.size() > kMaxRows)
-      add("<p class=\"quiet\">{} more are in report.json.</p>\n", gone.size() - kMaxRows);
-  }
-
-  void findingRow(std::size_t index) {
-    const Finding& f = r_.findings[index];
-    add("<tr><td class=\"num\" data-label=\"#\">{}</td><td data-label=\"Kind\"><span class=\"tag "
-        "{}\">{}</span></td>",
-        index + 1, severityName(f.known ? Severity::kNote : f.severity),
-        (f.known ? "known: " : "") + escape(report_text::spoken(f.kind)));
-    out_ += "<td class=\"text\" data-label=\"Program line\">";
-    if (f.source) {
-      add("<code>{}</code>", escape(report_text::place(f)));
-      if (!f.source->text.empty()) add("<code class=\"line\">{}</code>", escape(f.source->text));
-    }
-    add("</td><td class=\"num\" data-label=\"Tool\">{}</td>", f.tool ? fmt::format("T{}", *f.tool) : "");
-    add("<td class=\"num\" data-label=\"x, y, z (mm)\">{}</td>",
-        f.where ? fmt::format("{}, {}, {}", fixed(f.where->x(), 2), fixed(f.where->y(), 2),
-                              fixed(f.where->z(), 2))
-                : "");
-    figureCell("Depth mm", f.depth_mm, 3);
-    figureCell("Area mm²", f.area_mm2, 2);
-    figureCell("Volume mm³", f.volume_mm3, 2);
-    add("<td class=\"text\" data-label=\"Finding\">{}", escape(f.message));
-    if (!f.worse.empty()) add("<span class=\"line\">worse than known: {}</span>", escape(f.worse));
-    if (f.inside)
-      add("<span class=\"line\">moved by <code>{}</code></span>", escape(report_text::place(*f.inside)));
-    constexpr std::size_t kBlocks = 5;
-    if (f.blocks.size() > 1)
-      add("<span class=\"line\">made by {}</span>", escape(report_text::blocksLine(f, kBlocks)));
-    for (const Cause& cause : f.causes)
-      add("<span class=\"line\">{}</span>", escape(report_text::causeNote(cause)));
-    if (f.untried_causes > 0) add("<span class=\"line\">{}</span>", escape(report_text::untriedNote(f)));
-    out_ += "</td></tr>\n";
   }
 
   void messages() {
@@ -331,7 +268,7 @@ class Page {
         "class=\"stack\"><thead><tr><th>{0}</th><th>Shape</th>"
         "<th class=\"num\">Cutting</th><th class=\"num\">Rapid</th><th class=\"num\">Motions</th>"
         "<th class=\"num\">In air</th><th class=\"num\">Removed mm³</th><th class=\"num\">{1}</th>"
-        "<th class=\"num\">{2}</th><th></th></tr></thead><tbody>\n",
+        "<th class=\"num\">{2}</th><th>Share</th></tr></thead><tbody>\n",
         wires ? "Wire" : "Tool", section, speed);
     for (const ToolUse& use : r_.time.per_tool) {
       const double share = largest > 0.0 ? std::max(0.0, use.removed_mm3) / largest : 0.0;
@@ -461,16 +398,22 @@ class Page {
   }
 
   const Report& r_;
-  const std::vector<ReportPicture>& pictures_;
+  const PageContent& content_;
   const ReportOptions& options_;
   std::string out_;
 };
 
 }  // namespace
 
+std::string reportPage(const Report& report, const PageContent& content, const ReportOptions& options) {
+  return Page(report, content, options).build();
+}
+
 std::string reportHtml(const Report& report, const std::vector<ReportPicture>& pictures,
                        const ReportOptions& options) {
-  return Page(report, pictures, options).build();
+  PageContent content;
+  content.pictures = pictures;
+  return reportPage(report, content, options);
 }
 
 }  // namespace proveout

@@ -7,6 +7,7 @@
 
 #include "core/base/assert.h"
 #include "io/report/report_html_parts.h"
+#include "io/report/view/scene_data.h"
 #include "io/report_text.h"
 
 namespace proveout::report_html {
@@ -141,27 +142,12 @@ std::string histogramSvg(const ReportComparison& comparison) {
   return HistogramChart(comparison).draw();
 }
 
-std::string pngDataUri(std::string_view png) {
-  static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out = "data:image/png;base64,";
-  out.reserve(out.size() + (png.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < png.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < png.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(png[i + k])) : 0u;
-    };
-    const std::uint32_t group = byte(0) << 16 | byte(1) << 8 | byte(2);
-    out += kDigits[group >> 18];
-    out += kDigits[group >> 12 & 63];
-    out += i + 1 < png.size() ? kDigits[group >> 6 & 63] : '=';
-    out += i + 2 < png.size() ? kDigits[group & 63] : '=';
-  }
-  return out;
-}
+std::string pngDataUri(std::string_view png) { return "data:image/png;base64," + base64(png); }
 
 std::string_view styleSheet() {
   return R"css(
 :root{--ink:#1d2329;--soft:#5c6770;--line:#d9dee3;--wash:#f4f6f8;--paper:#fff;--pass:#1a7f4b;--fail:#b42318;
---error:#8a1c7c;--warn:#a15c00;--gouge:#2e7acc;--excess:#d94d38;--within:#9aa6ae;--band:#e6f3ec}
+--error:#8a1c7c;--warn:#a15c00;--gouge:#2e7acc;--excess:#d94d38;--within:#9aa6ae;--band:#e6f3ec;--link:#0b57a4}
 *{box-sizing:border-box}
 body{margin:0;background:var(--wash);color:var(--ink);font:15px/1.45 system-ui,-apple-system,"Segoe UI",Roboto,
 "Helvetica Neue",Arial,sans-serif;-webkit-text-size-adjust:100%}
@@ -214,6 +200,19 @@ border:1px solid currentColor}
 .key i{display:inline-block;width:11px;height:11px;border-radius:2px;margin-right:6px}
 .hash{color:var(--soft);font-size:12px}
 footer{color:var(--soft);font-size:13px;text-align:center}
+.head dl{display:grid;grid-template-columns:repeat(auto-fit,minmax(190px,1fr));gap:8px 24px;margin:0}
+.head dt{color:var(--soft);font-size:13px}.head dd{margin:0;overflow-wrap:anywhere}
+.no-view{margin:0 0 16px}
+a{color:var(--link)}
+tr[id] a,figcaption a{display:inline-block;min-width:24px;min-height:24px;line-height:24px;text-align:center}
+.details{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,330px),1fr));gap:18px}
+.details figcaption{padding:0 0 6px}
+.program{margin:8px 0 0;padding:6px 6px 6px 56px;background:var(--wash);border-radius:6px;color:var(--soft);font-size:13px}
+.program .own{color:var(--ink);font-weight:700}
+@media screen and (prefers-color-scheme:dark){
+:root{--ink:#e4e8ec;--soft:#a3aeb8;--line:#38424b;--wash:#14191e;--paper:#1d242b;--fail:#ff8a80;--warn:#f0b45c;--gouge:#5aa2ee;
+--excess:#f0705a;--within:#7d8a94;--band:#1f3a2c;--link:#7db7ff;--chosen:#4a3c12;--stage-top:#39434c;--stage-low:#2a3239;--edge:#6c7780}
+.verdict.fail{background:#b42318}.tag.error{color:var(--fail)}}
 @media (max-width:720px){
 main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{padding:0}.card{flex-basis:128px;padding:10px 12px}.card b{font-size:18px}
 .stack thead{display:none}.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}

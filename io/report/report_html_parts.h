@@ -4,9 +4,21 @@
 #include <string>
 #include <string_view>
 
-#include "io/report.h"
+#include "io/report/report_page.h"
 
 namespace proveout::report_html {
+
+/// More rows than these are counted, not shown: nobody reads them, and browsers choke on them.
+inline constexpr std::size_t kMaxRows = 500;
+
+/// What the job says of part and people; "" if it says nothing.
+std::string headLines(const Report& report);
+/// The findings in a table, and what is known of them besides.
+std::string findingsSection(const Report& report, const PageContent& content);
+/// Where the 3-D view goes, or why there is none; "" where none is wanted.
+std::string viewSection(const ReportView& view);
+/// The view's data and script, for the end of the page; "" without.
+std::string viewScript(const ReportView& view);
 
 /// The page's style sheet, without the tags around it.
 std::string_view styleSheet();

@@ -318,6 +318,7 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   out["version"] = report.version;
   out["name"] = report.name;
   out["verdict"] = verdictName(report.verdict);
+  for (const ReportHeadLine& line : report.head) out["head"][line.key] = line.text;
   out["checks"] = checksJson(report.checks);
   out["program"] = {{"control", report.program.control},
                     {"files", report.program.files},

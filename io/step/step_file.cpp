@@ -17,7 +17,7 @@
 namespace proveout {
 namespace {
 
-using Json = nlohmann::json;
+using StepJson = nlohmann::json;
 
 /// Coordinates beyond are no part of a machine, mm.
 constexpr double kMostSize = 1e6;
@@ -35,11 +35,11 @@ bool takeRows(std::string_view& bytes, std::size_t count, std::vector<Row>& out)
   return true;
 }
 
-Vec3 pointOf(const Json& json) {
+Vec3 pointOf(const StepJson& json) {
   return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
 }
 
-CadFace faceOf(const Json& json) {
+CadFace faceOf(const StepJson& json) {
   CadFace out;
   const int kind = json.at("kind");
   out.kind = kind >= 0 && kind < static_cast<int>(SurfaceKind::kOther) ? static_cast<SurfaceKind>(kind)
@@ -58,7 +58,7 @@ CadFace faceOf(const Json& json) {
 }
 
 /// What follows the head. False: it is not what the head says.
-bool takeMesh(std::string_view bytes, const Json& head, StepBody& out) {
+bool takeMesh(std::string_view bytes, const StepJson& head, StepBody& out) {
   std::vector<std::array<float, 3>> vertices;
   const std::size_t triangles = head.at("triangles");
   if (!takeRows(bytes, head.at("vertices"), vertices) || !takeRows(bytes, triangles, out.mesh.triangles) ||
@@ -93,13 +93,13 @@ Result<StepBody> bodyOf(std::string_view bytes, const std::string& path) {
   if (length > bytes.size()) return brokenStream(path);
   StepBody out;
   try {
-    const Json head = Json::parse(bytes.substr(0, length));
-    for (const Json& name : head.at("bodies")) out.bodies.push_back(printable(name.get<std::string>()));
+    const StepJson head = StepJson::parse(bytes.substr(0, length));
+    for (const StepJson& name : head.at("bodies")) out.bodies.push_back(printable(name.get<std::string>()));
     out.name = out.bodies.at(head.at("body").get<std::size_t>());
     out.unit = printable(head.at("unit").get<std::string>());
-    for (const Json& note : head.at("notes"))
+    for (const StepJson& note : head.at("notes"))
       out.notes.push_back(path + ": the body " + note.get<std::string>());
-    for (const Json& face : head.at("faces")) out.faces.faces.push_back(faceOf(face));
+    for (const StepJson& face : head.at("faces")) out.faces.faces.push_back(faceOf(face));
     if (!takeMesh(bytes.substr(length), head, out)) return brokenStream(path);
   } catch (const std::exception&) {
     return brokenStream(path);

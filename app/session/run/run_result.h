@@ -50,7 +50,7 @@ struct RunResult {
   std::optional<Stock> stock;  ///< after the last clamping; of turned parts only where a grid was needed
   std::optional<Comparison> comparison;
   std::vector<Finding> findings;
-  std::optional<TriMesh> nominal;  ///< of parts with a profile, for its chart
+  std::optional<TriMesh> nominal;  ///< as it was compared; none where nothing is left of the part
   Prediction prediction;           ///< its time is that of this machine
   ReportPerformance performance;
 

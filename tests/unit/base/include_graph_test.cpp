@@ -54,6 +54,7 @@ const std::vector<std::string> kFloors = {"core/base",
                                           "removal/process",
                                           "io",
                                           "io/job",
+                                          "io/report/view",
                                           "io/report",
                                           "app/session/nominal",
                                           "app/session/forecast",
@@ -66,6 +67,7 @@ const std::vector<std::string> kFloors = {"core/base",
                                           "app/session/causes",
                                           "app/session",
                                           "render",
+                                          "app/page",
                                           "app"};
 /// Rooms of the largest knot: the checks of a program.
 constexpr std::size_t kLargestKnot = 5;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "io/report/report_html_parts.h"
+#include "io/report/report_page.h"
 #include "io/report_text.h"
 #include "report_sample.h"
 
@@ -80,6 +81,40 @@ TEST(ReportHtml, NeedsNoNetworkAndNoScript) {
   for (const char* word : {"http:", "https:", "<script", "<link", "@import", "url(", "src=\"/"}) {
     EXPECT_THAT(html, Not(HasSubstr(word)));
   }
+}
+
+TEST(ReportHtml, HasTheViewOrSaysWhyNot) {
+  PageContent content;
+  content.view = {"", "", true};
+  std::string html = reportPage(io_test::sampleReport(), content);
+  EXPECT_THAT(html, HasSubstr("No 3-D view: this program was built without it"));
+  EXPECT_THAT(html, HasSubstr("script-src 'none'"));
+  content.view = {"show()", "QUJD", true};
+  html = reportPage(io_test::sampleReport(), content);
+  EXPECT_THAT(
+      html,
+      HasSubstr("<script type=\"text/plain\" id=\"view3d-data\">QUJD</script>\n<script>show()</script>"));
+  EXPECT_THAT(html, HasSubstr("<tr id=\"finding-1\"><td class=\"num\" data-label=\"#\"><a href=\"#view3d\""));
+  EXPECT_EQ(count(html, "id=\"view3d\""), 1u);
+  content.view.data.clear();  // no part is left to show
+  EXPECT_THAT(reportPage(io_test::sampleReport(), content), Not(HasSubstr("view3d\"")));
+}
+
+TEST(ReportHtml, FindingsAndCloseUpsLeadToEachOther) {
+  PageContent content;
+  content.details = {{2, "png", {{11, "N60 G0"}, {12, "N70 </ol><script>"}}, 12}};
+  const std::string html = reportPage(io_test::sampleReport(), content);
+  EXPECT_THAT(html, HasSubstr("<a href=\"#detail-2\">2</a>"));
+  EXPECT_THAT(html, HasSubstr("<figure id=\"detail-2\"><figcaption><a href=\"#finding-2\">2</a>"));
+  EXPECT_THAT(html,
+              HasSubstr("<li value=\"12\" class=\"own\"><code>N70 &lt;/ol&gt;&lt;script&gt;</code></li>"));
+}
+
+TEST(ReportHtml, HeadIsShownWhereTheJobHasOne) {
+  Report report = io_test::sampleReport();
+  EXPECT_THAT(reportHtml(report, {}), Not(HasSubstr("class=\"head\"")));
+  report.head = {{"part_number", "Part number", "<4711>"}, {"date", "Date", "2026-11-30"}};
+  EXPECT_THAT(reportHtml(report, {}), HasSubstr("<dt>Part number</dt><dd>&lt;4711&gt;</dd>"));
 }
 
 TEST(ReportHtml, EscapesEverything) {
