@@ -165,9 +165,14 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   if (drawn) drawn = maker.drawFindings(mesh, report.findings, progress);
   if (!drawn) return drawn;
   PageContent page;
-  page.view = viewOfMeshes({mesh, result.comparison ? &pair.nominal.mesh : nullptr,
-                            result.comparison ? &*result.comparison : nullptr, report.findings},
-                           progress);
+  const Comparison* const comparison = result.comparison ? &*result.comparison : nullptr;
+  Result<std::vector<FindingDetail>> details =
+      maker.drawDetails(mesh, comparison, report.findings, nullptr, nullptr, progress);
+  if (!details) return details.error();
+  page.details = std::move(*details);
+  page.view = viewOfMeshes(
+      {mesh, result.comparison ? &pair.nominal.mesh : nullptr, comparison, page.bands, report.findings},
+      progress);
   report.performance.render_s = watch.lap();
   report.performance.wall_s += report.performance.render_s;
   report.performance.peak_memory_mb = peakMemoryMb();

@@ -8,6 +8,8 @@
 #include "app/input_files.h"
 #include "app/job_setup.h"
 #include "app/outputs.h"
+#include "app/page/measured_surface.h"
+#include "app/page/reduced_mesh.h"
 #include "app/page/report_view.h"
 #include "app/pictures.h"
 #include "app/run_report.h"
@@ -56,7 +58,7 @@ class RunPictures {
     return done;
   }
 
-  Status drawFindings(const RunResult& run, Progress& progress) {
+  Status drawFindings(const RunResult& run, const RunSources& sources, Progress& progress) {
     if (run.alarm) return Done{};
     Stopwatch watch;
     const std::vector<Finding> findings = findingsInLastFrame(run);
@@ -64,6 +66,11 @@ class RunPictures {
     Status done = Done{};
     if (run.comparison) done = maker_.drawDeviation(mesh, *run.comparison, findings, progress);
     if (done) done = maker_.drawFindings(mesh, findings, progress);
+    if (!done) return done;
+    Result<std::vector<FindingDetail>> details = maker_.drawDetails(
+        mesh, run.comparison ? &*run.comparison : nullptr, findings, &run, &sources, progress);
+    if (!details) return details.error();
+    details_ = std::move(*details);
     maker_.forgetMesh();
     drawn_s_ += watch.lap();
     return done;
@@ -72,6 +79,7 @@ class RunPictures {
   double drawnS() const { return drawn_s_; }
   const std::vector<Picture>& pictures() const { return maker_.pictures; }
   const std::vector<Error>& failures() const { return maker_.failures; }
+  const std::vector<FindingDetail>& details() const { return details_; }
 
  private:
   static PictureRequest requestOf(const Job& job) {
@@ -84,20 +92,37 @@ class RunPictures {
   }
 
   PictureMaker maker_;
+  std::vector<FindingDetail> details_;
   double drawn_s_ = 0.0;
 };
 
-/// What report.html has besides pictures. `drawn_s` grows by the time that it takes.
+/// Of the whole surface. None where nothing was compared, or the job asks for none.
+std::vector<DeviationBand> bandsOf(const Job& job, const RunResult& run) {
+  if (job.report.bands_mm.empty() || !run.comparison || !run.comparison->field) return {};
+  constexpr std::size_t kHalved = 200'000;  // triangles, on top of those of the mesh
+  ViewMesh surface{run.surface().mesh, {}, 0.0, 0};
+  const std::size_t most = surface.mesh.triangles.size() + kHalved;
+  addDeviations([&](const Vec3& p) { return run.comparison->field->at(p); }, shownDeviation(*run.comparison),
+                most, surface);
+  return deviationBands(surface, job.report.bands_mm);
+}
+
+/// What report.html has besides pictures and close-ups. `drawn_s` grows by the time that it takes.
 PageContent pageOf(const Job& job, const RunResult& run, const RunSources& sources, const Progress& progress,
                    double& drawn_s) {
   PageContent page;
-  if (!wantsView(job) || run.alarm) return page;
+  if (run.alarm) return page;
   Stopwatch watch;
   const TriMesh* nominal = run.comparison && run.nominal ? &*run.nominal : nullptr;
-  const std::vector<Finding> findings = findingsInLastFrame(run);
-  page.view = viewOfRun(run, sources,
-                        {run.surface().mesh, nominal, run.comparison ? &*run.comparison : nullptr, findings},
-                        progress);
+  page.bands = bandsOf(job, run);
+  page.sections = pageSections(run.surface().mesh, nominal, job.report.sections);
+  if (wantsView(job)) {
+    const std::vector<Finding> findings = findingsInLastFrame(run);
+    page.view = viewOfRun(
+        run, sources,
+        {run.surface().mesh, nominal, run.comparison ? &*run.comparison : nullptr, page.bands, findings},
+        progress);
+  }
   drawn_s += watch.lap();
   return page;
 }
@@ -221,9 +246,10 @@ Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& pro
                 [&](const SetupRun& last, Progress& drawing) { return pictures.drawPart(last, drawing); });
   if (!run) return run.error();
   ReportAcceptance accepted = accept(job, wish.acceptance, run->comparison.has_value(), run->findings);
-  if (const Status drawn = pictures.drawFindings(*run, progress); !drawn) return drawn.error();
+  if (const Status drawn = pictures.drawFindings(*run, sources.all(), progress); !drawn) return drawn.error();
   run->performance.render_s = pictures.drawnS();
   PageContent page = pageOf(job, *run, sources.all(), progress, run->performance.render_s);
+  page.details = pictures.details();
   Result<Report> report = makeReport(job, *run, sources.all());
   if (!report) return report.error();
   if (progress.cancelled()) return Error{ErrorKind::kInterrupted, "interrupted"};

@@ -14,6 +14,9 @@ namespace {
 /// More numbers than this hide the part; the report lists all of them.
 constexpr std::size_t kMaxMarkers = 12;
 
+/// Of a close-up, pixels.
+constexpr int kCloseUpWidth = 480, kCloseUpHeight = 320;
+
 /// Captions are ASCII: other bytes become question marks.
 std::string ascii(const std::string& text) {
   std::string result = text.substr(0, 60);
@@ -157,6 +160,42 @@ Status PictureMaker::drawFindings(const TriMesh& mesh, const std::vector<Finding
       fmt::format("{}: {} {}{}", ascii(request_.name), located, located == 1 ? "finding" : "findings",
                   located > markers.size() ? fmt::format(", the first {} shown", markers.size()) : "");
   return add(drawOverFirstView(std::move(scene), progress), "findings.png", "findings");
+}
+
+Result<std::string> PictureMaker::drawCloseUp(const TriMesh& mesh, const Comparison* comparison,
+                                              const Marker& marker, const Vec3& back, double width_mm,
+                                              Progress& progress) {
+  RenderScene scene = sceneOf(mesh);
+  if (comparison != nullptr) {
+    addHeatMap(*comparison, scene);
+    scene.show_legend = false;
+  }
+  scene.markers = {marker};
+  scene.focus = RenderScene::Focus{marker.at, width_mm};
+  View view{"close-up", back, Vec3::UnitZ(), false};
+  const Vec3 hint = std::abs(back.z()) > 0.999 ? Vec3::UnitY() : Vec3::UnitZ();
+  view.up = (hint - back * hint.dot(back)).normalized();
+  RenderOptions close = options();
+  close.ground = false;
+  const Result<Image> image = renderMesh(scene, view, {kCloseUpWidth, kCloseUpHeight}, close, progress);
+  if (!image)
+    return image.error().kind == ErrorKind::kInterrupted ? Result<std::string>(image.error()) : std::string();
+  Result<std::string> png = encodePng(*image);
+  return png ? std::move(png) : Result<std::string>(std::string());
+}
+
+Result<std::vector<FindingDetail>> PictureMaker::drawDetails(const TriMesh& mesh,
+                                                             const Comparison* comparison,
+                                                             const std::vector<Finding>& findings,
+                                                             const RunResult* run, const RunSources* sources,
+                                                             Progress& progress) {
+  if (!drawsOf(mesh) || !annotated()) return std::vector<FindingDetail>{};
+  const auto draw = [&](std::size_t number, const Finding& finding, const Vec3& back, double width_mm) {
+    const Marker marker{*finding.where, fmt::format("{}", number), finding.severity};
+    return drawCloseUp(mesh, isDeviation(finding.kind) ? comparison : nullptr, marker, back, width_mm,
+                       progress);
+  };
+  return findingDetails(draw, mesh, findings, run, sources);
 }
 
 }  // namespace proveout

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/page/finding_details.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/mesh/image.h"
@@ -52,6 +53,12 @@ class PictureMaker {
   /// findings.png, where other findings have a place.
   Status drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings, Progress& progress);
 
+  /// Close-ups of findings with the program around their blocks. None where no view is asked for, or pictures
+  /// are too small for marks. `comparison`, `run`, `sources`: null: there is none. Errors: interrupted.
+  Result<std::vector<FindingDetail>> drawDetails(const TriMesh& mesh, const Comparison* comparison,
+                                                 const std::vector<Finding>& findings, const RunResult* run,
+                                                 const RunSources* sources, Progress& progress);
+
   /// Gives back what the pictures share; the next one makes it again.
   void forgetMesh() {
     drawn_.reset();
@@ -74,6 +81,8 @@ class PictureMaker {
   Result<Image> drawOverFirstView(RenderScene scene, Progress& progress);
   bool drawsOf(const TriMesh& mesh) const { return !mesh.triangles.empty() && !request_.views.empty(); }
   bool annotated() const;
+  Result<std::string> drawCloseUp(const TriMesh& mesh, const Comparison* comparison, const Marker& marker,
+                                  const Vec3& back, double width_mm, Progress& progress);
 
   PictureRequest request_;
   std::optional<Vec2> turned_axis_;

@@ -141,7 +141,15 @@ void drawOver(const RenderScene& scene, const DrawnMesh& drawn, const View& view
 }  // namespace
 
 Camera sceneCamera(const RenderScene& scene, const View& view, ImageSize size) {
-  return fitCamera(scene.mesh, view, render_detail::layoutPage(scene, size).part);
+  const PixelRect part = render_detail::layoutPage(scene, size).part;
+  Camera camera = fitCamera(scene.mesh, view, part);
+  if (scene.focus) {
+    // The target stays in its plane across the line of sight: what is traced begins before the part.
+    const Vec3 aside = scene.focus->at - camera.target;
+    camera.target += camera.right * aside.dot(camera.right) + camera.up * aside.dot(camera.up);
+    camera.mm_per_pixel = std::min(camera.mm_per_pixel, scene.focus->width_mm / part.width());
+  }
+  return camera;
 }
 
 Result<std::shared_ptr<const DrawnMesh>> prepareDrawing(const TriMesh& mesh, int threads) {

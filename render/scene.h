@@ -65,6 +65,12 @@ struct RenderScene {
   /// Applies in every view. None: a view with `section` cuts about the middle of the mesh's bounds, the
   /// quarter that faces the camera.
   std::optional<SectionCut> section;
+  /// A close-up: the picture shows so much around this place. None: all of the part.
+  struct Focus {
+    Vec3 at = Vec3::Zero();
+    double width_mm = 0.0;  ///< > 0
+  };
+  std::optional<Focus> focus;
 };
 
 struct RenderOptions {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/page/measured_surface.h"
 #include "app/page/reduced_mesh.h"
 #include "app/page/view_path.h"
 #include "core/base/installed_file.h"
@@ -56,8 +57,7 @@ ViewMesh coloured(const ViewInput& input, const Progress& progress) {
   ViewMesh view = reducedMesh(input.part, kMostPart, progress);
   const Comparison* c = input.comparison;
   if (c == nullptr || !c->field) return view;
-  const double tolerance = std::max(1e-4, 0.5 * std::min(c->gouge_tolerance_mm, c->excess_tolerance_mm));
-  addDeviations([&](const Vec3& p) { return c->field->at(p); }, tolerance, kMostColoured, view);
+  addDeviations([&](const Vec3& p) { return c->field->at(p); }, shownDeviation(*c), kMostColoured, view);
   return view;
 }
 
@@ -66,7 +66,8 @@ ViewScene sceneOf(const ViewInput& input, const Progress& progress) {
   scene.part = coloured(input, progress);
   if (input.nominal != nullptr && !input.nominal->triangles.empty())
     scene.nominal = reducedMesh(*input.nominal, kMostNominal, progress);
-  if (!scene.part.deviation_mm.empty()) scene.scale = scaleOf(*input.comparison);
+  if (!scene.part.deviation_mm.empty())
+    scene.scale = input.bands.empty() ? scaleOf(*input.comparison) : scaleOf(input.bands);
   for (std::size_t i = 0; i < std::min(kMostFindings, input.findings.size()); ++i) {
     const Finding& f = input.findings[i];
     if (!f.where || !f.where->allFinite()) continue;
@@ -77,6 +78,10 @@ ViewScene sceneOf(const ViewInput& input, const Progress& progress) {
 }
 
 }  // namespace
+
+double shownDeviation(const Comparison& comparison) {
+  return std::max(1e-4, 0.5 * std::min(comparison.gouge_tolerance_mm, comparison.excess_tolerance_mm));
+}
 
 ReportView viewOfRun(const RunResult& run, const RunSources& sources, const ViewInput& input,
                      const Progress& progress) {

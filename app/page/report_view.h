@@ -14,8 +14,12 @@ struct ViewInput {
   const TriMesh& part;
   const TriMesh* nominal = nullptr;
   const Comparison* comparison = nullptr;
-  const std::vector<Finding>& findings;  ///< with their places in the part's frame, in the report's order
+  const std::vector<DeviationBand>& bands;  ///< whose colours are taken; empty: the usual scale
+  const std::vector<Finding>& findings;     ///< with their places in the part's frame, in the report's order
 };
+
+/// Differences of deviation below this are not looked for between the places that were measured, mm.
+double shownDeviation(const Comparison& comparison);
 
 /// The view of a run's part with its tool path. No view where the part has no triangles.
 ReportView viewOfRun(const RunResult& run, const RunSources& sources, const ViewInput& input,

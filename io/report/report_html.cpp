@@ -48,6 +48,8 @@ class Page {
     out_ += report_html::findingsSection(r_, content_);
     messages();
     comparison();
+    out_ += report_html::bandsSection(content_.bands);
+    out_ += report_html::sectionsSection(content_.sections);
     profile();
     setups();
     tools();

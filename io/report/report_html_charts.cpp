@@ -147,7 +147,7 @@ std::string pngDataUri(std::string_view png) { return "data:image/png;base64," +
 std::string_view styleSheet() {
   return R"css(
 :root{--ink:#1d2329;--soft:#5c6770;--line:#d9dee3;--wash:#f4f6f8;--paper:#fff;--pass:#1a7f4b;--fail:#b42318;
---error:#8a1c7c;--warn:#a15c00;--gouge:#2e7acc;--excess:#d94d38;--within:#9aa6ae;--band:#e6f3ec;--link:#0b57a4}
+--error:#8a1c7c;--warn:#a15c00;--gouge:#2e7acc;--excess:#d94d38;--within:#9aa6ae;--band:#e6f3ec;--link:#0b57a4;--machined:#c2410c;--nominal:#15803d}
 *{box-sizing:border-box}
 body{margin:0;background:var(--wash);color:var(--ink);font:15px/1.45 system-ui,-apple-system,"Segoe UI",Roboto,
 "Helvetica Neue",Arial,sans-serif;-webkit-text-size-adjust:100%}
@@ -207,11 +207,17 @@ a{color:var(--link)}
 tr[id] a,figcaption a{display:inline-block;min-width:24px;min-height:24px;line-height:24px;text-align:center}
 .details{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,330px),1fr));gap:18px}
 .details figcaption{padding:0 0 6px}
+.section{display:block;width:100%;max-height:420px}
+.section path{vector-effect:non-scaling-stroke;stroke-width:1.4;fill:none}
+.section .machined{fill:var(--within);fill-opacity:.35;fill-rule:evenodd;stroke:var(--machined)}
+.section .nominal{stroke:var(--nominal);stroke-dasharray:5 3}.section .scale{stroke:var(--soft)}.section text{fill:var(--soft)}
+.key i.key-machined{background:var(--machined)}.key i.key-nominal{background:var(--nominal)}
+.swatch{display:inline-block;width:14px;height:14px;border-radius:3px;border:1px solid #0003;margin-right:8px;vertical-align:-2px}
 .program{margin:8px 0 0;padding:6px 6px 6px 56px;background:var(--wash);border-radius:6px;color:var(--soft);font-size:13px}
 .program .own{color:var(--ink);font-weight:700}
 @media screen and (prefers-color-scheme:dark){
 :root{--ink:#e4e8ec;--soft:#a3aeb8;--line:#38424b;--wash:#14191e;--paper:#1d242b;--fail:#ff8a80;--warn:#f0b45c;--gouge:#5aa2ee;
---excess:#f0705a;--within:#7d8a94;--band:#1f3a2c;--link:#7db7ff;--chosen:#4a3c12;--stage-top:#39434c;--stage-low:#2a3239;--edge:#6c7780}
+--excess:#f0705a;--within:#7d8a94;--band:#1f3a2c;--link:#7db7ff;--machined:#ff9a5c;--nominal:#5fd08a;--chosen:#4a3c12;--stage-top:#39434c;--stage-low:#2a3239;--edge:#6c7780}
 .verdict.fail{background:#b42318}.tag.error{color:var(--fail)}}
 @media (max-width:720px){
 main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{padding:0}.card{flex-basis:128px;padding:10px 12px}.card b{font-size:18px}

@@ -15,6 +15,10 @@ inline constexpr std::size_t kMaxRows = 500;
 std::string headLines(const Report& report);
 /// The findings in a table, and what is known of them besides.
 std::string findingsSection(const Report& report, const PageContent& content);
+/// Bands of deviation with their shares; "" without.
+std::string bandsSection(const std::vector<DeviationBand>& bands);
+/// Drawings of sections; "" without.
+std::string sectionsSection(const std::vector<PageSection>& sections);
 /// Where the 3-D view goes, or why there is none; "" where none is wanted.
 std::string viewSection(const ReportView& view);
 /// The view's data and script, for the end of the page; "" without.

@@ -29,10 +29,26 @@ struct FindingDetail {
   std::uint32_t own_line = 0;
 };
 
+/// A band of deviations and its share of the part's surface.
+struct DeviationBand {
+  double from_mm = 0.0, to_mm = 0.0;   ///< -inf and inf: what is beyond the outermost edges
+  double area_mm2 = 0.0, share = 0.0;  ///< share of what was measured, 0..1
+  std::string colour;                  ///< "#rrggbb", as in the 3-D view
+};
+
+/// A section of the part: the outlines that a plane across an axis cuts.
+struct PageSection {
+  SectionPlane plane;
+  std::vector<std::vector<Vec2>> machined, nominal;  ///< closed; (Y, Z), (X, Z) or (X, Y) of the part, mm
+  double machined_mm2 = 0.0, nominal_mm2 = 0.0;
+};
+
 struct PageContent {
   std::vector<ReportPicture> pictures;
   ReportView view;
   std::vector<FindingDetail> details;  ///< of some findings, in their order
+  std::vector<DeviationBand> bands;    ///< ascending
+  std::vector<PageSection> sections;
 };
 
 /// report.html: one self-contained page, no network; no script but that of the view. Everything from outside

@@ -29,7 +29,7 @@ diameter = 8
 [simulation]
 resolution = 0.5
 [output]
-size = [64, 48]
+size = [160, 120]
 [report]
 part_number = "</script><script>alert(1)</script>"
 )";
@@ -89,6 +89,10 @@ TEST_F(ReportPage, CarriesTheViewAndNothingFromOutsideBreaksOut) {
   EXPECT_EQ(timesIn(page, "<script"), 2u);
   EXPECT_EQ(timesIn(page, "</script"), 2u);
   EXPECT_TRUE(pageHas(page, "&lt;/script&gt;&lt;script&gt;alert(1)"));
+  EXPECT_TRUE(pageHas(page, "<li value=\"3\" class=\"own\"><code>N20 G0 Z-2 (&lt;/script&gt;)</code></li>"));
+  EXPECT_TRUE(pageHas(page, "<img alt=\"Close-up of finding 1\""));
+  EXPECT_TRUE(pageHas(page, "<li value=\"1\">") && pageHas(page, "<li value=\"6\">") &&
+              !pageHas(page, "<li value=\"7\">"));
   EXPECT_EQ(bench_.run("run job.toml --out again --quiet").exit_code, 1);
   const std::string run = "<h2>Run</h2>", end = "</section>";
   EXPECT_EQ(pageWithout(page, run, end), pageWithout(readFile(bench_.path("again/report.html")), run, end));

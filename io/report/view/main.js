@@ -58,7 +58,9 @@ class View {
       this.outlines.push({outline, surface});
       return surface;
     };
+    // Where both outlines are the same, that of the part is seen.
     this.part = add(part, {tone: PART_TONE, cutTone: CUT_TONE, opacity: 1, stops: scale && scale.stops}, MACHINED_LINE);
+    this.outlines[0].outline.lines.renderOrder = 3;
     if (nominal) {
       this.nominal = add(nominal, {tone: NOMINAL_TONE, cutTone: NOMINAL_CUT_TONE, opacity: 1}, NOMINAL_LINE);
       this.nominal.visible = false;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "app/page/measured_surface.h"
 #include "app/page/reduced_mesh.h"
 
 namespace proveout {
@@ -107,6 +108,51 @@ TEST(AddDeviations, IgnoredPlacesKeepTheirEdge) {
     }
     if (low < 39.0 && high > 41.0) ADD_FAILURE() << "a triangle from " << low << " to " << high;
   }
+}
+
+/// A square of 10 x 10 whose deviation goes from -0.5 to 0.5 along x: each band has its width's share.
+TEST(DeviationBands, SharesOfARampAreTheWidthsOfTheBands) {
+  ViewMesh view;
+  view.mesh.positions = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}, {0, 0, 5}};
+  view.mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 1, 4}};
+  view.deviation_mm = {-0.5F, 0.5F, 0.5F, -0.5F, std::nanf("")};
+  const std::vector<DeviationBand> bands = deviationBands(view, {-0.5, -0.1, 0.2, 0.5});
+  ASSERT_EQ(bands.size(), 5u);
+  const double shares[] = {0.0, 0.4, 0.3, 0.3, 0.0};
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    EXPECT_NEAR(bands[i].share, shares[i], 1e-6) << i;
+    EXPECT_NEAR(bands[i].area_mm2, 100.0 * shares[i], 1e-4) << i;
+  }
+  EXPECT_EQ(bands[2].colour, "#e6e6e0");
+  EXPECT_EQ(scaleOf(bands).stops.size(), 10u);
+}
+
+TEST(DeviationBands, OneValueEverywhereIsInOneBand) {
+  ViewMesh view;
+  view.mesh.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}};
+  view.mesh.triangles = {{0, 1, 2}};
+  view.deviation_mm = {0.3F, 0.3F, 0.3F};
+  const std::vector<DeviationBand> bands = deviationBands(view, {-0.1, 0.1});
+  EXPECT_NEAR(bands[2].area_mm2, 2.0, 1e-9);
+  EXPECT_EQ(bands[0].area_mm2 + bands[1].area_mm2, 0.0);
+}
+
+/// The wedge 0 <= x <= 6, 0 <= y <= 4, 0 <= z <= 3 (1 - x / 6).
+TEST(PageSections, AreasAreThoseOfTheWedge) {
+  TriMesh wedge;
+  wedge.positions = {{0, 0, 0}, {6, 0, 0}, {0, 0, 3}, {0, 4, 0}, {6, 4, 0}, {0, 4, 3}};
+  wedge.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {0, 2, 5}, {0, 5, 3}, {1, 4, 5}, {1, 5, 2}};
+  ASSERT_TRUE(analyseTopology(wedge).closedManifold());
+  const auto sections = pageSections(wedge, &wedge, {{0, 2.0}, {1, 1.0}, {2, 1.0}, {1, 9.0}});
+  ASSERT_EQ(sections.size(), 4u);
+  EXPECT_NEAR(sections[0].machined_mm2, 4.0 * 2.0, 1e-5);
+  EXPECT_NEAR(sections[1].machined_mm2, 0.5 * 6.0 * 3.0, 1e-5);
+  EXPECT_NEAR(sections[2].machined_mm2, 4.0 * 4.0, 1e-5);
+  EXPECT_NEAR(sections[2].nominal_mm2, 4.0 * 4.0, 1e-5);
+  EXPECT_TRUE(sections[3].machined.empty());
+  Vec2 high(0, 0);  // across X: (Y, Z)
+  for (const Vec2& p : sections[0].machined.front()) high = high.cwiseMax(p);
+  EXPECT_NEAR((high - Vec2(4, 2)).norm(), 0.0, 1e-5);
 }
 
 }  // namespace

@@ -110,6 +110,20 @@ TEST(ReportHtml, FindingsAndCloseUpsLeadToEachOther) {
               HasSubstr("<li value=\"12\" class=\"own\"><code>N70 &lt;/ol&gt;&lt;script&gt;</code></li>"));
 }
 
+TEST(ReportHtml, BandsAndSectionsAreShownWhereTheyAreAskedFor) {
+  PageContent content;
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  content.bands = {{-kInfinite, -0.02, 10.0, 0.25, "#0c3282"}, {-0.02, kInfinite, 30.0, 0.75, "#e6e6e0"}};
+  content.sections = {{{0, 12.5}, {{{0, 0}, {4, 0}, {4, 2}}}, {}, 4.0, 0.0}, {{2, -3.0}, {}, {}, 0.0, 0.0}};
+  const std::string html = reportPage(io_test::sampleReport(), content);
+  EXPECT_THAT(html,
+              HasSubstr("</i>below -0.02</td><td class=\"num\">10.0</td><td class=\"num\">25.00 %</td>"));
+  EXPECT_THAT(html, HasSubstr("</i>above -0.02</td>"));
+  EXPECT_THAT(html, HasSubstr("<b>X12.5</b>, Y to the right, Z up: 4.00 mm²</figcaption>"));
+  EXPECT_THAT(html, HasSubstr("<path class=\"machined\" d=\"M0.000 0.000L4.000 0.000L4.000 -2.000Z\"/>"));
+  EXPECT_THAT(html, HasSubstr("<b>Z-3</b>: no material there"));
+}
+
 TEST(ReportHtml, HeadIsShownWhereTheJobHasOne) {
   Report report = io_test::sampleReport();
   EXPECT_THAT(reportHtml(report, {}), Not(HasSubstr("class=\"head\"")));

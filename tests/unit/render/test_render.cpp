@@ -395,5 +395,22 @@ TEST(Render, StopsWhenCancelled) {
   EXPECT_EQ(image.error().kind, ErrorKind::kInterrupted);
 }
 
+TEST(CloseUp, ShowsThePlaceInTheMiddle) {
+  TriMesh box;
+  box.positions = {{0, 0, 0}, {100, 0, 0}, {100, 80, 0}, {0, 80, 0}};
+  box.triangles = {{0, 1, 2}, {0, 2, 3}};
+  RenderScene scene(box);
+  scene.focus = RenderScene::Focus{Vec3(70, 20, 0), 10.0};
+  const ImageSize size{480, 320};
+  const Camera near = sceneCamera(scene, *findView("top"), size);
+  const Vec2 a = near.project(Vec3(70, 20, 0)), b = near.project(Vec3(75, 20, 0));
+  EXPECT_NEAR(a.x(), 240.0, 20.0);
+  EXPECT_NEAR(a.y(), 160.0, 20.0);
+  EXPECT_GT(b.x() - a.x(), 180.0);  // 10 mm fill the width
+  scene.focus->width_mm = 1e9;      // never smaller than the whole part
+  EXPECT_EQ(sceneCamera(scene, *findView("top"), size).mm_per_pixel,
+            sceneCamera(RenderScene(box), *findView("top"), size).mm_per_pixel);
+}
+
 }  // namespace
 }  // namespace proveout
