@@ -63,5 +63,8 @@ std::string lowerCase(std::string_view text);
 Status readStl(std::string_view bytes, MeshBuilder& out);
 Status readObj(std::string_view bytes, MeshBuilder& out);
 Status readPly(std::string_view bytes, MeshBuilder& out);
+/// These two state their unit: `scale` is 1.
+Status readGlb(std::string_view bytes, MeshBuilder& out);
+Status readThreeMf(std::string_view bytes, MeshBuilder& out);
 
 }  // namespace proveout::mesh_formats

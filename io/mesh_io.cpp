@@ -1,6 +1,8 @@
 // Loading of meshes: units, the choice of the reader, and what every format has in common.
 #include "io/mesh_io.h"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <new>
 
@@ -52,6 +54,8 @@ Reader readerFor(const std::string& extension) {
   if (extension == "stl") return mesh_formats::readStl;
   if (extension == "obj") return mesh_formats::readObj;
   if (extension == "ply") return mesh_formats::readPly;
+  if (extension == "glb") return mesh_formats::readGlb;
+  if (extension == "3mf") return mesh_formats::readThreeMf;
   return nullptr;
 }
 
@@ -61,8 +65,9 @@ std::string extensionOf(const std::string& path) {
 }
 
 Error unknownFormat(const std::string& name) {
-  return inputError(name +
-                    ": is no mesh that can be read; the name must end in .stl, .obj, .ply, .step or .stp");
+  return inputError(
+      name +
+      ": is no mesh that can be read; the name must end in .stl, .obj, .ply, .3mf, .glb, .step or .stp");
 }
 
 Error outOfMemory(const std::string& name) {
@@ -71,6 +76,11 @@ Error outOfMemory(const std::string& name) {
 
 }  // namespace
 
+bool statesUnit(std::string_view path) {
+  const std::string extension = mesh_formats::lowerCase(extensionOf(std::string(path)));
+  return extension == "glb" || extension == "3mf" || isStepFile(path);
+}
+
 Result<TriMesh> parseMesh(std::string_view bytes, std::string_view extension, const std::string& name,
                           const MeshLoadOptions& options) {
   const Reader reader = readerFor(mesh_formats::lowerCase(extension));
@@ -78,9 +88,9 @@ Result<TriMesh> parseMesh(std::string_view bytes, std::string_view extension, co
   if (bytes.empty()) return inputError(name + ": is empty");
   try {
     MeshBuilder builder;
-    builder.scale = meshUnitInMm(options.unit);
+    builder.scale = statesUnit(fmt::format("x.{}", extension)) ? 1.0 : meshUnitInMm(options.unit);
     const Status status = reader(bytes, builder);
-    if (!status) return inputError(name + ": " + status.error().message);
+    if (!status) return Error{status.error().kind, name + ": " + status.error().message};
     TriMesh mesh = weldVertices(builder.mesh);
     if (mesh.triangles.empty())
       return inputError(name + ": has no surface: no triangle with three different corners");

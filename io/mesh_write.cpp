@@ -14,6 +14,8 @@
 #include "core/base/assert.h"
 #include "core/base/parallel_for.h"
 #include "io/atomic_file.h"
+#include "io/exchange/glb_model.h"
+#include "io/exchange/threemf.h"
 #include "io/mesh_io.h"
 #include "io/sha256.h"
 
@@ -195,17 +197,34 @@ Status writeFile(const TriMesh& mesh, const std::string& path, MeshFormat format
     case MeshFormat::kPly:
       writeLayout(ply(mesh), *file, hash);
       break;
+    case MeshFormat::kThreeMf:
+    case MeshFormat::kGlb:
+      break;  // writePackage
   }
   return file->commit();
+}
+
+/// Formats that are made of several parts.
+bool isPackage(MeshFormat format) { return format == MeshFormat::kThreeMf || format == MeshFormat::kGlb; }
+
+Result<std::string> writePackage(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+  const std::string wrong = defect(mesh);
+  if (!wrong.empty()) return Error{ErrorKind::kInternal, path + ": the mesh " + wrong};
+  return format == MeshFormat::kGlb ? writePartGlb(mesh, path) : writeThreeMf(mesh, path);
 }
 
 }  // namespace
 
 Status writeMesh(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+  if (isPackage(format)) {
+    const Result<std::string> written = writePackage(mesh, path, format);
+    return written ? Status(Done{}) : Status(written.error());
+  }
   return writeFile(mesh, path, format, nullptr);
 }
 
 Result<std::string> writeMeshHashed(const TriMesh& mesh, const std::string& path, MeshFormat format) {
+  if (isPackage(format)) return writePackage(mesh, path, format);
   Sha256 hash;
   if (const Status done = writeFile(mesh, path, format, &hash); !done) return done.error();
   return hash.finish();

@@ -237,7 +237,7 @@ struct FileHash {
 
 struct ReportMesh {
   std::string path;    ///< relative to the report
-  std::string format;  ///< "stl", "obj", "ply", "vdb"
+  std::string format;  ///< "stl", "obj", "ply", "3mf", "glb", "vdb"
   std::string sha256;  ///< of the file; may be empty
 };
 
@@ -246,11 +246,19 @@ struct ReportImage {
   std::string title;  ///< "iso", "top", "deviation iso", ...
 };
 
+/// A file with data for other programs.
+struct ReportData {
+  std::string path;    ///< relative to the report
+  std::string what;    ///< "deviation" (a mesh), "points" (over tolerance), "findings"
+  std::string sha256;  ///< of the file
+};
+
 struct ReportOutputs {
   std::vector<ReportMesh> meshes;
   std::vector<ReportImage> images;
   std::vector<std::string> tables;  ///< blocks.csv, mrr.svg, profile.svg, relative to the report
   std::string html;                 ///< file name; empty: none
+  std::vector<ReportData> data = {};
 };
 
 /// Differs from run to run; everything else in the report depends on the inputs alone.

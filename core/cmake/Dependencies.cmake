@@ -29,6 +29,16 @@ if(NOT TARGET proveout_nettle)
   target_link_libraries(proveout_nettle INTERFACE ${PROVEOUT_NETTLE_LIBRARY})
 endif()
 
+# 3MF packages: ZIP archives of XML.
+find_package(EXPAT REQUIRED)
+find_path(PROVEOUT_MINIZIP_INCLUDE minizip/zip.h REQUIRED)
+find_library(PROVEOUT_MINIZIP_LIBRARY minizip REQUIRED)
+if(NOT TARGET proveout_minizip)
+  add_library(proveout_minizip INTERFACE IMPORTED GLOBAL)
+  target_include_directories(proveout_minizip SYSTEM INTERFACE ${PROVEOUT_MINIZIP_INCLUDE})
+  target_link_libraries(proveout_minizip INTERFACE ${PROVEOUT_MINIZIP_LIBRARY})
+endif()
+
 # Polygon clipping (Clipper 6) comes with a pkg-config file only.
 find_path(PROVEOUT_POLYCLIPPING_INCLUDE polyclipping/clipper.hpp REQUIRED)
 find_library(PROVEOUT_POLYCLIPPING_LIBRARY polyclipping REQUIRED)

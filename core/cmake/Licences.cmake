@@ -3,8 +3,8 @@
 # against what the built program loads (Program.LicencesAreNamed).
 set(PROVEOUT_LINKED
   "boost|libboost1.*-dev" "c-library|libc6" "cgal|libcgal-dev" "cli11|libcli11-dev" "eigen|libeigen3-dev"
-  "embree|libembree3-[0-9]*" "fmt|libfmt[0-9]*" "gcc-runtime|libstdc++6" "gmp|libgmp10" "imath|libimath-3-1-[0-9]*"
-  "jemalloc|libjemalloc2" "mpfr|libmpfr6" "nettle|libnettle[0-9]*" "nlohmann-json|nlohmann-json3-dev"
+  "embree|libembree3-[0-9]*" "expat|libexpat1" "fmt|libfmt[0-9]*" "gcc-runtime|libstdc++6" "gmp|libgmp10" "imath|libimath-3-1-[0-9]*"
+  "jemalloc|libjemalloc2" "minizip|libminizip1" "mpfr|libmpfr6" "nettle|libnettle[0-9]*" "nlohmann-json|nlohmann-json3-dev"
   "openvdb|libopenvdb[0-9]*" "png|libpng16-16" "polyclipping|libpolyclipping[0-9]*" "tbb|libtbb12"
   "tomlplusplus|libtomlplusplus-dev" "zlib|zlib1g"
   # What OpenVDB's library is linked with.

@@ -71,19 +71,28 @@ struct SimulationSpec {
   double max_time_s = kDefaultMaxTimeS;  ///< the command ends itself within so many seconds
 };
 
-enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kVdb };
-std::string_view outputFormatName(OutputFormat format);       ///< "stl", "stl-ascii", "obj", "ply", "vdb"
-std::string_view outputFormatExtension(OutputFormat format);  ///< "stl", "stl", "obj", "ply", "vdb"
+enum class OutputFormat : std::uint8_t { kStl, kStlAscii, kObj, kPly, kThreeMf, kGlb, kVdb };
+std::string_view outputFormatName(OutputFormat format);       ///< "stl", "stl-ascii", "obj", "3mf", ...
+std::string_view outputFormatExtension(OutputFormat format);  ///< "stl", "stl", "obj", "3mf", ...
 /// Parses one name; the error lists the names there are.
 Result<OutputFormat> parseOutputFormat(std::string_view name);
 /// Parses "stl,obj"; empty entries and doubles are errors.
 Result<std::vector<OutputFormat>> parseOutputFormats(std::string_view list);
 
+/// What is written of the deviation from nominal, point by point: the part's mesh with it as PLY and GLB, and
+/// the points over tolerance as points.csv.
+enum class DeviationOutput : std::uint8_t { kPly, kGlb, kCsv };
+std::string_view deviationOutputName(DeviationOutput output);  ///< "ply", "glb", "csv"
+/// Parses one name, and "ply,csv"; as those of formats.
+Result<DeviationOutput> parseDeviationOutput(std::string_view name);
+Result<std::vector<DeviationOutput>> parseDeviationOutputs(std::string_view list);
+
 struct OutputSpec {
   std::vector<OutputFormat> formats = {OutputFormat::kStl};
   std::vector<std::string> views = {"iso"};  ///< names; see JobNames
   int width = 1280, height = 960;            ///< pixels, 16..8192
-  bool csv = false;                          ///< blocks.csv and mrr.svg
+  bool csv = false;                          ///< blocks.csv, mrr.svg and findings.csv
+  std::vector<DeviationOutput> deviation;    ///< of a job with a nominal
   std::vector<double> sections;              ///< heights of section drawings, mm, frame of the last setup
   std::optional<bool> view3d;                ///< the 3-D view of report.html; see wantsView
   std::optional<bool> bodies;  ///< a mesh file for each piece that was cut free; see writesBodies

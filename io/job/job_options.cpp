@@ -16,11 +16,18 @@ struct FormatName {
   OutputFormat format;
   std::string_view name, extension;
 };
-constexpr FormatName kFormats[] = {{OutputFormat::kStl, "stl", "stl"},
-                                   {OutputFormat::kStlAscii, "stl-ascii", "stl"},
-                                   {OutputFormat::kObj, "obj", "obj"},
-                                   {OutputFormat::kPly, "ply", "ply"},
-                                   {OutputFormat::kVdb, "vdb", "vdb"}};
+constexpr FormatName kFormats[] = {
+    {OutputFormat::kStl, "stl", "stl"},     {OutputFormat::kStlAscii, "stl-ascii", "stl"},
+    {OutputFormat::kObj, "obj", "obj"},     {OutputFormat::kPly, "ply", "ply"},
+    {OutputFormat::kThreeMf, "3mf", "3mf"}, {OutputFormat::kGlb, "glb", "glb"},
+    {OutputFormat::kVdb, "vdb", "vdb"}};
+
+struct DeviationName {
+  DeviationOutput output;
+  std::string_view name;
+};
+constexpr DeviationName kDeviations[] = {
+    {DeviationOutput::kPly, "ply"}, {DeviationOutput::kGlb, "glb"}, {DeviationOutput::kCsv, "csv"}};
 
 constexpr double kMaxLength = 1e6;  // mm, as in job files
 
@@ -123,17 +130,49 @@ Result<OutputFormat> parseOutputFormat(std::string_view name) {
                                 fmt::join(names, ", ")));
 }
 
-Result<std::vector<OutputFormat>> parseOutputFormats(std::string_view list) {
-  std::vector<OutputFormat> formats;
+namespace {
+
+/// Names with commas between them, none twice.
+template <typename Item>
+Result<std::vector<Item>> parseNames(std::string_view list, const char* what,
+                                     Result<Item> (*parse)(std::string_view)) {
+  std::vector<Item> items;
   for (const std::string_view name : split(list, ',')) {
-    const Result<OutputFormat> format = parseOutputFormat(name);
-    if (!format) return format.error();
-    if (std::find(formats.begin(), formats.end(), *format) != formats.end()) {
-      return inputError(fmt::format("output format '{}' is listed twice", name));
-    }
-    formats.push_back(*format);
+    const Result<Item> item = parse(name);
+    if (!item) return item.error();
+    if (std::find(items.begin(), items.end(), *item) != items.end())
+      return inputError(fmt::format("{} '{}' is listed twice", what, name));
+    items.push_back(*item);
   }
-  return formats;
+  return items;
+}
+
+}  // namespace
+
+Result<std::vector<OutputFormat>> parseOutputFormats(std::string_view list) {
+  return parseNames(list, "output format", &parseOutputFormat);
+}
+
+std::string_view deviationOutputName(DeviationOutput output) {
+  for (const DeviationName& entry : kDeviations) {
+    if (entry.output == output) return entry.name;
+  }
+  return "ply";
+}
+
+Result<DeviationOutput> parseDeviationOutput(std::string_view name) {
+  std::vector<std::string> names;
+  for (const DeviationName& entry : kDeviations) {
+    if (entry.name == name) return entry.output;
+    names.emplace_back(entry.name);
+  }
+  const std::string nearest = nearestName(name, names);
+  return inputError(fmt::format("deviations are not written as '{}'{}; there are {}", name,
+                                didYouMean(nearest), fmt::join(names, ", ")));
+}
+
+Result<std::vector<DeviationOutput>> parseDeviationOutputs(std::string_view list) {
+  return parseNames(list, "deviation output", &parseDeviationOutput);
 }
 
 Result<StockSpec> parseStockOption(const std::string& text) {

@@ -320,15 +320,24 @@ std::string readBody(ConfigTable& table, bool step) {
   return table.text("body").value_or("");
 }
 
+/// "3MF" of "part.3mf".
+std::string formatOf(const std::string& file) {
+  std::string ending = file.substr(file.rfind('.') + 1);
+  for (char& c : ending) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return ending == "STP" ? "STEP" : ending;
+}
+
 /// The file at `key` with its unit and body.
 std::optional<MeshFile> readModel(ConfigTable& table, const std::string& key) {
   const auto file = table.must(key).path(key);
   const bool step = file && isStepFile(*file), has_unit = table.find("unit") != nullptr;
+  const bool stated = file && statesUnit(*file);
   const MeshUnit unit = readUnit(table);
   const std::string body = readBody(table, step);
   if (!file) return std::nullopt;
-  if (step && has_unit)
-    table.error("unit", "job-value", "a STEP file states its unit itself: leave `unit` out");
+  if (stated && has_unit)
+    table.error("unit", "job-value",
+                fmt::format("a {} file states its unit itself: leave `unit` out", formatOf(*file)));
   if (const Status reader = step ? checkStepReader() : Status(Done{}); !reader)
     table.error(key, "step-reader", reader.error().message);
   return MeshFile{*file, unit, body};
@@ -565,6 +574,24 @@ void readSections(ConfigTable& output, Job& job) {
   }
 }
 
+/// What is written of deviations. `compares`: the job has a nominal.
+void readDeviation(ConfigTable& output, bool compares, Job& job) {
+  const auto names = output.texts("deviation");
+  if (!names) return;
+  if (!compares && !names->empty())
+    output.error("deviation", "job-value", "`deviation` needs a [nominal] to compare the part with");
+  for (const std::string& name : *names) {
+    const Result<DeviationOutput> item = parseDeviationOutput(name);
+    if (!item) {
+      output.error("deviation", "job-value", item.error().message);
+    } else if (std::count(job.output.deviation.begin(), job.output.deviation.end(), *item) > 0) {
+      output.error("deviation", "job-value", fmt::format("'{}' is listed twice", name));
+    } else {
+      job.output.deviation.push_back(*item);
+    }
+  }
+}
+
 }  // namespace
 
 void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
@@ -602,6 +629,7 @@ void readOutput(ConfigTable& root, const JobNames& names, Job& job) {
     }
   }
   if (const auto csv = output->flag("csv")) job.output.csv = *csv;
+  readDeviation(*output, root.find("nominal") != nullptr, job);
   readSections(*output, job);
   if (const auto view = output->flag("view3d")) job.output.view3d = *view;
   if (const auto bodies = output->flag("bodies")) job.output.bodies = *bodies;

@@ -366,7 +366,8 @@ class Page {
   }
 
   void files() {
-    if (r_.inputs.empty() && r_.outputs.meshes.empty() && r_.part_sha256.empty()) return;
+    if (r_.inputs.empty() && r_.outputs.meshes.empty() && r_.outputs.data.empty() && r_.part_sha256.empty())
+      return;
     out_ +=
         "<section>\n<h2>Files</h2>\n<table><thead><tr><th>What</th><th>File and "
         "SHA-256</th></tr></thead><tbody>\n";
@@ -376,6 +377,7 @@ class Page {
     };
     for (const FileHash& file : r_.inputs) row(file.role, file.path, file.sha256);
     for (const ReportMesh& mesh : r_.outputs.meshes) row("part, " + mesh.format, mesh.path, mesh.sha256);
+    for (const ReportData& file : r_.outputs.data) row(file.what, file.path, file.sha256);
     if (!r_.part_sha256.empty()) row("part", "positions and triangles", r_.part_sha256);
     out_ += "</tbody></table>\n</section>\n";
   }

@@ -277,16 +277,19 @@ Json hashesJson(const Report& report) {
 }
 
 Json outputsJson(const ReportOutputs& outputs) {
-  Json meshes = Json::array(), images = Json::array();
+  Json meshes = Json::array(), images = Json::array(), data = Json::array();
   for (const ReportMesh& mesh : outputs.meshes) {
     meshes.push_back({{"path", mesh.path}, {"format", mesh.format}, {"sha256", mesh.sha256}});
   }
   for (const ReportImage& image : outputs.images) {
     images.push_back({{"path", image.path}, {"title", image.title}});
   }
+  for (const ReportData& file : outputs.data)
+    data.push_back({{"path", file.path}, {"what", file.what}, {"sha256", file.sha256}});
   return {{"meshes", std::move(meshes)},
           {"images", std::move(images)},
           {"tables", outputs.tables},
+          {"data", std::move(data)},
           {"html", outputs.html}};
 }
 

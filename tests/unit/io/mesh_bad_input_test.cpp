@@ -34,7 +34,7 @@ TEST(BadMesh, WrongMagic) {
   EXPECT_THAT(reasonFor("plx\n", "ply"), HasSubstr("no PLY file"));
   EXPECT_THAT(reasonFor(binaryStl(tetrahedron()), "ply"), HasSubstr("no PLY file"));
   EXPECT_THAT(reasonFor(binaryStl(tetrahedron()), "obj"), HasSubstr("no OBJ file"));
-  EXPECT_THAT(reasonFor(kObj, "step"), HasSubstr("must end in .stl, .obj, .ply, .step or .stp"));
+  EXPECT_THAT(reasonFor(kObj, "step"), HasSubstr("must end in .stl, .obj, .ply, .3mf, .glb, .step or .stp"));
 }
 
 TEST(BadMesh, EveryTruncationOfBinaryStl) {

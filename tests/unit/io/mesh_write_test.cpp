@@ -23,10 +23,9 @@ struct Written {
   MeshFormat format;
   std::string name;
 };
-const std::vector<Written> kAll = {{MeshFormat::kStlBinary, "b.stl"},
-                                   {MeshFormat::kStlAscii, "a.stl"},
-                                   {MeshFormat::kObj, "o.obj"},
-                                   {MeshFormat::kPly, "p.ply"}};
+const std::vector<Written> kAll = {{MeshFormat::kStlBinary, "b.stl"}, {MeshFormat::kStlAscii, "a.stl"},
+                                   {MeshFormat::kObj, "o.obj"},       {MeshFormat::kPly, "p.ply"},
+                                   {MeshFormat::kThreeMf, "m.3mf"},   {MeshFormat::kGlb, "g.glb"}};
 
 using Corner = std::array<std::uint32_t, 3>;
 Corner bits(const Eigen::Vector3f& p) {
