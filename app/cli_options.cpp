@@ -152,7 +152,7 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("N=SHAPE")
       ->allow_extra_args(false);
   app->add_option("--nominal", o.nominal,
-                  "CAD model to compare with, with a program: closed STL, OBJ, PLY, or STEP")
+                  "CAD model to compare with, with a program: closed STL, OBJ, PLY, 3MF, GLB, or\nSTEP")
       ->type_name("FILE");
   app->add_option("--unit", o.unit, "Of the meshes of --nominal and --stock: mm, inch, m; default: mm")
       ->type_name("UNIT");
@@ -209,7 +209,7 @@ void addRun(CLI::App& root, RunOptions& o) {
       ->type_name("DIR")
       ->check(notEmpty());
   app->add_option("--format", o.formats,
-                  "Mesh files: stl, stl-ascii, obj, ply, vdb, separated by commas; default: stl")
+                  "Mesh files: stl, stl-ascii, obj, ply, 3mf, glb, vdb, separated by commas;\ndefault: stl")
       ->type_name("LIST");
   app->add_option("--view", o.views, "Picture from here; repeatable: iso, top, front, ...; default: iso")
       ->type_name("NAME")
@@ -219,7 +219,11 @@ void addRun(CLI::App& root, RunOptions& o) {
   app->add_flag("--no-view3d", o.no_view3d, "No 3-D view in report.html; --no-render leaves it out too");
   app->add_flag("--bodies", o.bodies, "Write a mesh file for each piece that a wire cut free: slugs/");
   app->add_flag("--csv", o.csv,
-                "Write blocks.csv (what each block removed) and mrr.svg (its rate over time)");
+                "Write blocks.csv (what each block removed), mrr.svg (its rate over time)\nand findings.csv");
+  app->add_option("--deviation", o.deviation,
+                  "Write the deviation of each point of the part, separated by commas: ply, glb\n(the mesh "
+                  "with deviation, block, tool and colours), csv (points over tolerance)")
+      ->type_name("LIST");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
   app->add_flag("--quiet", o.quiet, "Print errors only");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");
@@ -274,7 +278,7 @@ void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
 void addCompare(CLI::App& root, CompareCommandOptions& o) {
   CLI::App* app =
       root.add_subcommand("compare", "Compare two meshes: where material is missing or left over");
-  app->add_option("MACHINED", o.machined, "Closed mesh of the part: STL, OBJ, PLY")
+  app->add_option("MACHINED", o.machined, "Closed mesh of the part: STL, OBJ, PLY, 3MF, GLB")
       ->required()
       ->check(notEmpty());
   app->add_option("NOMINAL", o.nominal, "CAD model: closed mesh, or STEP")->required()->check(notEmpty());
@@ -303,6 +307,13 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
                   "Write report.json, junit.xml, report.html and deviation.png into this folder")
       ->type_name("DIR")
       ->check(notEmpty());
+  CLI::Option* const out = app->get_option("--out");
+  app->add_option("--deviation", o.deviation,
+                  "Write the deviation of each point of MACHINED there too, separated by commas:\nply, glb "
+                  "(the mesh with deviation and colours), csv (points over tolerance)")
+      ->type_name("LIST")
+      ->needs(out);
+  app->add_flag("--csv", o.csv, "Write findings.csv there too")->needs(out);
   app->add_option("--size", o.size, "Size of the pictures; default: 1200x900")->option_text("WxH");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
   app->add_flag("--quiet", o.quiet, "Print errors only");
@@ -312,7 +323,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
 
 void addRenderAndCoverage(CLI::App& root, RenderCommandOptions& o, CoverageOptions& coverage) {
   CLI::App* app = root.add_subcommand("render", "Draw a mesh");
-  app->add_option("MESH", o.mesh, "STL, OBJ or PLY")->required()->check(notEmpty());
+  app->add_option("MESH", o.mesh, "STL, OBJ, PLY, 3MF or GLB")->required()->check(notEmpty());
   app->add_option("--unit", o.unit, "Of the mesh: mm, inch, m; default: mm")->option_text("UNIT");
   app->add_option("-o,--output", o.output, "Picture; default: NAME.png in the current folder")
       ->type_name("PNG")

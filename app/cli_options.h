@@ -49,6 +49,7 @@ struct RunOptions {
   bool no_render = false;
   bool no_view3d = false;
   bool csv = false;
+  std::optional<std::string> deviation;  ///< "ply,glb,csv"
   bool bodies = false;
   bool json = false;
   bool quiet = false;
@@ -85,6 +86,8 @@ struct CompareCommandOptions {
   std::optional<int> threads;
   std::optional<double> max_time_s, max_memory_gb;
   std::optional<std::string> out;
+  std::optional<std::string> deviation;  ///< "ply,glb,csv"
+  bool csv = false;                      ///< findings.csv
   std::string size = "1200x900";
   bool json = false;
   bool quiet = false;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/commands.h"
+#include "app/deviation/deviation_outputs.h"
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/outputs.h"
@@ -31,6 +32,17 @@ struct Pair {
   NominalSpec spec;  ///< of the nominal
 };
 
+std::string partName(const CompareCommandOptions& options) {
+  return std::filesystem::path(options.machined).stem().string();
+}
+
+Result<std::vector<DeviationOutput>> deviationsOf(const CompareCommandOptions& options) {
+  if (!options.deviation) return std::vector<DeviationOutput>();
+  Result<std::vector<DeviationOutput>> outputs = parseDeviationOutputs(*options.deviation);
+  if (!outputs) return inputError("--deviation: " + outputs.error().message);
+  return outputs;
+}
+
 /// The units of the two files.
 struct PairUnits {
   MeshUnit machined, nominal;
@@ -49,8 +61,8 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   machined.mesh = {options.machined, units.machined};
   nominal.mesh = {options.nominal, units.nominal};
   if (const Status placed = applyNominal(options.place, nominal); !placed) return placed.error();
-  if (options.nominal_unit && isStepFile(options.nominal))
-    return inputError("--nominal-unit: a STEP file states its unit itself");
+  if (options.nominal_unit && statesUnit(options.nominal))
+    return inputError("--nominal-unit: STEP, 3MF and GLB files state their unit themselves");
   Result<PreparedMesh> part = loadNominal(machined);
   if (!part) return part.error();
   Result<PreparedMesh> model = loadNominal(nominal);
@@ -123,7 +135,7 @@ void addFound(const Pair& pair, const PairResult& result, Report& report) {
 Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair,
                                  const PairResult& result) {
   Report report;
-  report.name = std::filesystem::path(options.machined).stem().string();
+  report.name = partName(options);
   report.version = versionText();
   report.checks.interpreted = false;
   report.checks.comparison = result.comparison.has_value();
@@ -150,8 +162,8 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
 }
 
 Status writeResults(const CompareCommandOptions& options, const Pair& pair, const PairResult& result,
-                    ImageSize size, const OutputGuard& guard, Report& report, OutputFailures& failures,
-                    Progress& progress) {
+                    ImageSize size, const std::vector<DeviationOutput>& deviations, const OutputGuard& guard,
+                    Report& report, OutputFailures& failures, Progress& progress) {
   Stopwatch watch;
   PictureRequest request;
   request.size = size;
@@ -179,12 +191,16 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   failures.insert(failures.end(), maker.failures.begin(), maker.failures.end());
   Result<StagingFolder> staging = StagingFolder::create(*options.out, &guard, &progress);
   if (!staging) return staging.error();
-  writeReport(maker.pictures, *staging, report, failures, std::move(page));
+  if (result.comparison)
+    writePairDeviation(report.name, mesh, *result.comparison, deviations, progress, *staging, report,
+                       failures);
+  writeReport(maker.pictures, *staging, report, failures, std::move(page), options.csv);
   return staging->commit();
 }
 
 /// Fills the guard with the two files, and checks that the results can be written beside them.
-Status checkTarget(const CompareCommandOptions& options, OutputGuard& guard) {
+Status checkTarget(const CompareCommandOptions& options, const std::vector<DeviationOutput>& deviations,
+                   OutputGuard& guard) {
   if (Status settled = settleInputs({{"machined mesh", options.machined}, {"nominal", options.nominal}});
       !settled)
     return settled;
@@ -192,7 +208,11 @@ Status checkTarget(const CompareCommandOptions& options, OutputGuard& guard) {
   guard.protect("nominal", options.nominal);
   if (Status streams = guard.checkStandardOutput(); !streams) return streams;
   if (!options.out) return Done{};
-  if (Status free = checkNames(comparisonOutputNames(), *options.out, guard); !free) return free;
+  std::vector<std::string> names;
+  for (const DeviationOutput output : deviations)
+    names.push_back(deviationFileName(partName(options), output));
+  if (options.csv) names.emplace_back("findings.csv");
+  if (Status free = checkNames(comparisonOutputNames(names), *options.out, guard); !free) return free;
   const Result<StagingFolder> proof = StagingFolder::create(*options.out);
   return proof ? Status(Done{}) : Status(proof.error());
 }
@@ -205,8 +225,10 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   if (!size) return size.error();
   const Result<PairUnits> units = unitsOf(options);
   if (!units) return units.error();
+  const Result<std::vector<DeviationOutput>> deviations = deviationsOf(options);
+  if (!deviations) return deviations.error();
   OutputGuard guard;
-  if (const Status possible = checkTarget(options, guard); !possible) return possible.error();
+  if (const Status possible = checkTarget(options, *deviations, guard); !possible) return possible.error();
   const Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
   const double read_s = watch.lap();
@@ -223,7 +245,8 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   report->performance.predicted_s = prediction->time_s;
   report->performance.wall_s = wall.lap();
   if (options.out) {
-    if (const Status done = writeResults(options, *pair, *result, *size, guard, *report, failures, progress);
+    if (const Status done =
+            writeResults(options, *pair, *result, *size, *deviations, guard, *report, failures, progress);
         !done)
       return done.error();
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/commands.h"
+#include "app/deviation/deviation_outputs.h"
 #include "app/exit_codes.h"
 #include "app/input_files.h"
 #include "app/job_setup.h"
@@ -148,8 +149,9 @@ Status checkPrograms(const RunResult& run, const RunSources& sources, const Job&
 }
 
 /// Errors: the folder cannot be written at all. What else fails is kept and told by the report.
-Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>& pictures, PageContent page,
-                const Target& target, Progress& progress, Report& report, OutputFailures& failures) {
+Status writeAll(const Job& job, const RunResult& run, const RunSources& sources,
+                const std::vector<Picture>& pictures, PageContent page, const Target& target,
+                Progress& progress, Report& report, OutputFailures& failures) {
   Result<StagingFolder> staging = StagingFolder::create(target.folder, &target.guard, &progress);
   if (!staging) return staging.error();
   if (!run.alarm) {
@@ -160,9 +162,10 @@ Status writeAll(const Job& job, const RunResult& run, const std::vector<Picture>
     writeSections(run.surface().mesh, run.setups.back().freed, job, *staging, report, failures);
     writeTurnedProfile(job, run, *staging, report, failures);
     if (job.output.csv) writeTables(cutPaths(run), *staging, report, failures);
+    writeRunDeviation(job, run, sources, progress, *staging, report, failures);
   }
   report.performance.peak_memory_mb = peakMemoryMb();  // files take more than the run that they are of
-  writeReport(pictures, *staging, report, failures, std::move(page));
+  writeReport(pictures, *staging, report, failures, std::move(page), job.output.csv);
   return staging->commit();
 }
 
@@ -257,8 +260,8 @@ Result<Written> runJob(const Job& job, const RunWish& wish, ConsoleProgress& pro
   Written written{std::move(*report), pictures.failures()};
   written.report.command = wish.command;
   written.report.acceptance = std::move(accepted);
-  if (const Status done = writeAll(job, *run, pictures.pictures(), std::move(page), target, progress,
-                                   written.report, written.failures);
+  if (const Status done = writeAll(job, *run, sources.all(), pictures.pictures(), std::move(page), target,
+                                   progress, written.report, written.failures);
       !done)
     return done.error();
   return written;

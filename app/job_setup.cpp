@@ -182,11 +182,11 @@ void applyUnit(const std::string& name, Job& job, Diagnostics& diagnostics) {
   } else {
     bool taken = false;
     for (MeshFile* file : {stock, job.nominal ? &job.nominal->mesh : nullptr}) {
-      if (file == nullptr || isStepFile(file->path)) continue;
+      if (file == nullptr || statesUnit(file->path)) continue;
       file->unit = *unit;
       taken = true;
     }
-    if (!taken) diagnostics.add(usageError("--unit: a STEP file states its unit itself"));
+    if (!taken) diagnostics.add(usageError("--unit: STEP, 3MF and GLB files state their unit themselves"));
   }
 }
 
@@ -201,6 +201,21 @@ void applyPlace(const NominalOptions& place, Job& job, Diagnostics& diagnostics)
     diagnostics.add(usageError(done.error().message));
 }
 
+/// `--deviation`.
+void applyDeviation(const std::string& list, Job& job, Diagnostics& diagnostics) {
+  Result<std::vector<DeviationOutput>> outputs = parseDeviationOutputs(list);
+  if (!outputs) {
+    diagnostics.add(usageError("--deviation: " + outputs.error().message));
+  } else if (!job.nominal) {
+    if (!diagnostics.hasErrors())
+      diagnostics.add(usageError(job.stops_early
+                                     ? "--deviation needs a nominal, and that is of the last setup"
+                                     : "--deviation needs a nominal to compare with"));
+  } else {
+    job.output.deviation = std::move(*outputs);
+  }
+}
+
 void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) {
   if (options.formats) {
     Result<std::vector<OutputFormat>> formats = parseOutputFormats(*options.formats);
@@ -208,6 +223,7 @@ void applyOutput(const RunOptions& options, Job& job, Diagnostics& diagnostics) 
     if (!formats) diagnostics.add(usageError("--format: " + formats.error().message));
   }
   if (options.csv) job.output.csv = true;
+  if (options.deviation) applyDeviation(*options.deviation, job, diagnostics);
   if (options.bodies) job.output.bodies = true;
   if (options.no_view3d || options.no_render) job.output.view3d = false;
   const bool pictures = !options.views.empty() || options.size;

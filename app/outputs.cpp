@@ -6,12 +6,15 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/deviation/deviation_outputs.h"
 #include "app/exit_codes.h"
 #include "app/freed_pieces.h"
 #include "app/job_setup.h"
 #include "app/session/run/process.h"
 #include "core/mesh/level_cut.h"
 #include "io/atomic_file.h"
+#include "io/exchange/hashed_file.h"
+#include "io/exchange/inspection_csv.h"
 #include "io/mesh_io.h"
 #include "io/report/section_chart.h"
 #include "io/sha256.h"
@@ -33,6 +36,10 @@ MeshFormat meshFormat(OutputFormat format) {
       return MeshFormat::kObj;
     case OutputFormat::kPly:
       return MeshFormat::kPly;
+    case OutputFormat::kThreeMf:
+      return MeshFormat::kThreeMf;
+    case OutputFormat::kGlb:
+      return MeshFormat::kGlb;
     case OutputFormat::kStl:
     case OutputFormat::kVdb:
       break;
@@ -80,16 +87,19 @@ std::vector<std::string> outputNames(const Job& job) {
   for (const OutputFormat format : job.output.formats) names.push_back(meshFileName(job, format));
   for (const std::string& view : job.output.views) names.push_back(view + ".png");
   if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png", "apart.png"});
-  if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg"});
+  if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg", "findings.csv"});
+  for (const DeviationOutput output : job.output.deviation)
+    names.push_back(deviationFileName(job.name, output));
   for (const double z : job.output.sections) names.push_back(sectionFileName(z));
   if (processOf(job, setupCount(job) - 1).part_turns) names.emplace_back("profile.svg");
   return names;
 }
 
-std::vector<std::string> comparisonOutputNames() {
+std::vector<std::string> comparisonOutputNames(const std::vector<std::string>& deviations) {
   std::vector<std::string> names = {"report.json", "report.html", "junit.xml", "deviation.png",
                                     "findings.png"};
   for (const std::string& view : PictureRequest().views) names.push_back(view + ".png");
+  names.insert(names.end(), deviations.begin(), deviations.end());
   return names;
 }
 
@@ -229,8 +239,25 @@ void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const Tri
   if (written) report.outputs.tables.push_back("profile.svg");
 }
 
+namespace {
+
+void writeFindings(StagingFolder& staging, Report& report, OutputFailures& failures) {
+  const std::string name = "findings.csv";
+  std::string hash;
+  const Status written = staging.write(name, [&](const std::string& path) -> Status {
+    Result<std::string> made = writeHashed(path, findingsCsv(report.findings));
+    if (!made) return made.error();
+    hash = std::move(*made);
+    return Done{};
+  });
+  keep(written, failures);
+  if (written) report.outputs.data.push_back({name, "findings", hash});
+}
+
+}  // namespace
+
 void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
-                 OutputFailures& failures, PageContent page) {
+                 OutputFailures& failures, PageContent page, bool findings_csv) {
   std::size_t told = 0;
   const auto tell = [&] {
     for (; told < failures.size(); ++told) {
@@ -246,6 +273,8 @@ void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, R
     keep(written, failures);
     if (written) report.outputs.images.push_back({picture.file, picture.title});
   }
+  tell();
+  if (findings_csv) writeFindings(staging, report, failures);
   report.outputs.html = "report.html";
   tell();
   if (const Status html = writeText("report.html", reportPage(report, page), staging); !html) {

@@ -22,8 +22,8 @@ using OutputFailures = std::vector<Error>;
 
 /// Names of all files that a run of the job may write into its folder, but for those that its programs write.
 std::vector<std::string> outputNames(const Job& job);
-/// Names of all files that a comparison of two meshes may write.
-std::vector<std::string> comparisonOutputNames();
+/// Names of all files that a comparison of two meshes may write. `deviations`: files of them.
+std::vector<std::string> comparisonOutputNames(const std::vector<std::string>& deviations = {});
 
 /// Errors: one of the names would be written over an input.
 Status checkNames(const std::vector<std::string>& names, const std::string& folder, const OutputGuard& guard);
@@ -55,7 +55,8 @@ std::string sectionFileName(double z);
 void writeSections(const TriMesh& mesh, const std::vector<TriMesh>& freed, const Job& job,
                    StagingFolder& staging, Report& report, OutputFailures& failures);
 
-/// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report.
+/// Writes blocks.csv and, where something was cut, mrr.svg; records them in the report. findings.csv comes
+/// with writeReport.
 void writeTables(const std::vector<CutPath>& paths, StagingFolder& staging, Report& report,
                  OutputFailures& failures);
 
@@ -66,11 +67,11 @@ void writeProfileChart(const std::vector<std::vector<Vec2>>& machined, const Tri
                        const ProfileChartOptions& options, StagingFolder& staging, Report& report,
                        OutputFailures& failures);
 
-/// Writes pictures, report.html, junit.xml and report.json; records the pictures. What failed before, and
-/// fails here, is told by those that come behind it, as findings of kind kOutput. `page`: what report.html
-/// has besides the pictures.
+/// Writes pictures, findings.csv (with `findings_csv`), report.html, junit.xml and report.json; records the
+/// pictures. What failed before, and fails here, is told by those that come behind it, as findings of kind
+/// kOutput. `page`: what report.html has besides the pictures.
 void writeReport(const std::vector<Picture>& pictures, StagingFolder& staging, Report& report,
-                 OutputFailures& failures, PageContent page = {});
+                 OutputFailures& failures, PageContent page = {}, bool findings_csv = false);
 
 /// The exit code of a run: that of its report, unless an output is missing.
 int exitCodeOf(const Report& report, const OutputFailures& failures);

@@ -103,12 +103,20 @@ struct FaceFit {
   Vec3 shift = Vec3::Zero();  ///< of the axis, across it, or of the centre of a sphere, where it is placed
 };
 
-/// The deviation of any point of the machined surface.
+/// The place of the nominal that a point of the part is measured to.
+struct NominalFoot {
+  Vec3 normal = Vec3::Zero();    ///< outward normal there, unit
+  std::uint32_t face = kNoFace;  ///< of CompareOptions::nominal_faces
+};
+
+/// The deviation of any point of the machined surface. Thread-safe.
 class DeviationField {
  public:
   virtual ~DeviationField() = default;
-  /// Of a point of the machined mesh, mm; NaN where it is ignored. Thread-safe.
+  /// Of a point of the machined mesh, mm; NaN where it is ignored.
   virtual float at(const Vec3& p) const = 0;
+  /// Where that point is measured to, ignored or not.
+  virtual NominalFoot footOf(const Vec3& p) const = 0;
 };
 
 /// Figures over a surface, weighted by area, without ignored regions.

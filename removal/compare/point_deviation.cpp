@@ -17,16 +17,36 @@ class PointDeviation final : public DeviationField {
     for (const IgnoredRegion& region : options_.ignored) {
       if (region.contains(p)) return std::numeric_limits<float>::quiet_NaN();
     }
-    const double deviation = nominal_->deviation(nominal_->distance.at(p), p), size = std::abs(deviation);
-    if (options_.part == nullptr || size <= kUnseen * std::min(options_.gouge_mm, options_.excess_mm) ||
-        size > 2.0 * options_.resolution_mm)
-      return static_cast<float>(deviation);
-    const SettledPoint at = settle(*options_.part, p, 1.2 * size + options_.uncertainty_mm + 0.01);
-    if (!at.found) return static_cast<float>(deviation);
-    return static_cast<float>(nominal_->deviation(nominal_->distance.at(at.p), at.p));
+    return static_cast<float>(measure(p).deviation);
+  }
+
+  NominalFoot footOf(const Vec3& p) const override {
+    const SurfaceDistance distance = measure(p).distance;
+    NominalFoot foot;
+    foot.normal = distance.gradient.cast<double>();
+    if (options_.nominal_faces != nullptr) foot.face = options_.nominal_faces->of_triangle[distance.triangle];
+    return foot;
   }
 
  private:
+  struct Measured {
+    SurfaceDistance distance;
+    double deviation;
+  };
+  Measured measureAt(const Vec3& p) const {
+    const SurfaceDistance distance = nominal_->distance.at(p);
+    return {distance, nominal_->deviation(distance, p)};
+  }
+  Measured measure(const Vec3& p) const {
+    const Measured on_mesh = measureAt(p);
+    const double size = std::abs(on_mesh.deviation);
+    if (options_.part == nullptr || size <= kUnseen * std::min(options_.gouge_mm, options_.excess_mm) ||
+        size > 2.0 * options_.resolution_mm)
+      return on_mesh;
+    const SettledPoint at = settle(*options_.part, p, 1.2 * size + options_.uncertainty_mm + 0.01);
+    return at.found ? measureAt(at.p) : on_mesh;
+  }
+
   static constexpr double kUnseen = 0.2;  ///< of a tolerance: no colour shows less
   std::shared_ptr<const NominalModel> nominal_;
   CompareOptions options_;
