@@ -2,6 +2,7 @@
 // for other programs.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -4,6 +4,7 @@
 // bit for bit, and the node above the mesh carries the matrix that turns and scales them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>

@@ -3,10 +3,14 @@
 // are out of range without a word (docs/decisions/003-own-mesh-files.md).
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <bit>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"

@@ -4,9 +4,13 @@
 #include <expat.h>
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <map>
-#include <set>
+#include <optional>
+#include <vector>
 
 #include "core/base/memory_limit.h"
 #include "core/base/printable.h"

@@ -175,6 +175,12 @@ TEST(BadJob, ValuesOutOfRange) {
               HasSubstr("there is no view 'inside'; there are iso, top"));
   EXPECT_THAT(refusedEnd("[output]\nformats = ['stp']"),
               HasSubstr("there is no output format 'stp', did you mean 'stl'?"));
+  EXPECT_THAT(refusedEnd("[output]\ndeviation = ['ply']"), HasSubstr("needs a [nominal]"));
+  const std::string nominal = "[nominal]\nmesh = 'bracket.stl'\n[output]\n";
+  EXPECT_THAT(refusedEnd(nominal + "deviation = ['glb', 'glb']"), HasSubstr("listed twice"));
+  EXPECT_THAT(refusedEnd(nominal + "deviation = ['pli']"),
+              HasSubstr("not written as 'pli', did you mean 'ply'?; there are ply, glb, csv"));
+  EXPECT_THAT(refusedEnd(nominal + "deviation = true"), HasSubstr("deviation must be a list"));
   EXPECT_THAT(refused(withStock("shape = 'tube'\nbase = [0,0,0]\nradius = 3\ninner_radius = 3\nlength = 1")),
               HasSubstr("inner radius must be below"));
   EXPECT_THAT(refused(withStock("shape = 'cylinder'\nbase = [0,0,0]\nradius = 3\ndiameter = 6\nlength = 1")),

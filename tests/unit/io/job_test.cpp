@@ -604,5 +604,30 @@ TEST(NearestName, KnowsBeginningsAndWhatPeopleWrite) {
   EXPECT_EQ(nearestName("type", {"number"}), "");
 }
 
+TEST(LoadJob, WritesDeviationsOfAPartThatIsCompared) {
+  JobFolder folder;
+  const auto job = folder.load(kSmallJob +
+                               "[nominal]\nmesh = 'bracket.stl'\n[output]\nformats = ['3mf', 'glb']\n"
+                               "deviation = ['csv', 'ply', 'glb']\n");
+  ASSERT_TRUE(job) << folder.text();
+  EXPECT_THAT(job->output.formats, ElementsAre(OutputFormat::kThreeMf, OutputFormat::kGlb));
+  EXPECT_THAT(job->output.deviation,
+              ElementsAre(DeviationOutput::kCsv, DeviationOutput::kPly, DeviationOutput::kGlb));
+}
+
+TEST(LoadJob, FilesThatStateTheirUnitTakeNone) {
+  JobFolder folder;
+  folder.write("bracket.3mf", "");
+  folder.write("bracket.glb", "");
+  for (const std::string ending : {"3mf", "glb"}) {
+    const std::string nominal = "[nominal]\nmesh = 'bracket." + ending + "'\n";
+    folder.clear();
+    EXPECT_TRUE(folder.load(kSmallJob + nominal)) << folder.text();
+    EXPECT_THAT(
+        folder.refusal(kSmallJob + nominal + "unit = 'inch'\n"),
+        HasSubstr("a " + std::string(ending == "glb" ? "GLB" : "3MF") + " file states its unit itself"));
+  }
+}
+
 }  // namespace
 }  // namespace proveout
