@@ -315,6 +315,7 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
       ->needs(out);
   app->add_flag("--csv", o.csv, "Write findings.csv there too")->needs(out);
   app->add_option("--size", o.size, "Size of the pictures; default: 1200x900")->option_text("WxH");
+  app->add_flag("--no-view3d", o.no_view3d, "No 3-D view in report.html");
   app->add_flag("--json", o.json, "Print report.json on stdout instead of the summary");
   app->add_flag("--quiet", o.quiet, "Print errors only");
   app->add_flag("--progress", o.progress, "Show progress even where stderr is no terminal");

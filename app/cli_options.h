@@ -89,6 +89,7 @@ struct CompareCommandOptions {
   std::optional<std::string> deviation;  ///< "ply,glb,csv"
   bool csv = false;                      ///< findings.csv
   std::string size = "1200x900";
+  bool no_view3d = false;
   bool json = false;
   bool quiet = false;
   bool progress = false;

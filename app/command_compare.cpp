@@ -182,9 +182,10 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
       maker.drawDetails(mesh, comparison, report.findings, nullptr, nullptr, progress);
   if (!details) return details.error();
   page.details = std::move(*details);
-  page.view = viewOfMeshes(
-      {mesh, result.comparison ? &pair.nominal.mesh : nullptr, comparison, page.bands, report.findings},
-      progress);
+  if (!options.no_view3d)
+    page.view = viewOfMeshes(
+        {mesh, result.comparison ? &pair.nominal.mesh : nullptr, comparison, page.bands, report.findings},
+        progress);
   report.performance.render_s = watch.lap();
   report.performance.wall_s += report.performance.render_s;
   report.performance.peak_memory_mb = peakMemoryMb();

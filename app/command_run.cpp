@@ -101,7 +101,7 @@ class RunPictures {
 std::vector<DeviationBand> bandsOf(const Job& job, const RunResult& run) {
   if (job.report.bands_mm.empty() || !run.comparison || !run.comparison->field) return {};
   constexpr std::size_t kHalved = 200'000;  // triangles, on top of those of the mesh
-  ViewMesh surface{run.surface().mesh, {}, 0.0, 0};
+  ViewMesh surface{run.surface().mesh, run.comparison->vertex_deviation, 0.0, 0};
   const std::size_t most = surface.mesh.triangles.size() + kHalved;
   addDeviations([&](const Vec3& p) { return run.comparison->field->at(p); }, shownDeviation(*run.comparison),
                 most, surface);

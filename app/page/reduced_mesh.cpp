@@ -98,19 +98,25 @@ class Halving {
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
   }
 
+  /// Asking for a deviation is dear: it is done where the ends differ, or are so far apart that they say
+  /// nothing of the middle.
   void measure() {
     middle_.resize(edges_.size());
     split_.assign(edges_.size(), 0);
     parallelFor(std::size_t{0}, edges_.size(), [&](std::size_t i) {
       const auto [a, b] = edges_[i];
       const float da = view_.deviation_mm[a], db = view_.deviation_mm[b];
+      const bool known = std::isfinite(da) && std::isfinite(db);
+      const double length = (at(a) - at(b)).norm();
+      if (length < 0.4 * longest_ &&
+          (known ? std::abs(da - db) <= tolerance_ : std::isfinite(da) == std::isfinite(db)))
+        return;
       middle_[i] = deviation_(0.5 * (at(a) + at(b)));
-      const float bend = std::abs(middle_[i] - 0.5F * (da + db));
-      const bool known = std::isfinite(da) && std::isfinite(db) && std::isfinite(middle_[i]);
-      const bool differs = known ? bend > tolerance_
-                                 : std::isfinite(da) != std::isfinite(middle_[i]) ||
-                                       std::isfinite(db) != std::isfinite(middle_[i]);
-      split_[i] = differs || (at(a) - at(b)).norm() > longest_ ? 1 : 0;
+      const bool bends =
+          known && std::isfinite(middle_[i]) && std::abs(middle_[i] - 0.5F * (da + db)) > tolerance_;
+      const bool ends =
+          std::isfinite(da) != std::isfinite(middle_[i]) || std::isfinite(db) != std::isfinite(middle_[i]);
+      split_[i] = bends || ends || length > longest_ ? 1 : 0;
     });
   }
 
@@ -177,10 +183,12 @@ ViewMesh reducedMesh(const TriMesh& mesh, std::size_t most, const Progress& prog
 
 void addDeviations(const std::function<float(const Vec3&)>& deviation, double tolerance_mm, std::size_t most,
                    ViewMesh& view) {
+  const bool measured = view.deviation_mm.size() == view.mesh.positions.size();
   view.deviation_mm.resize(view.mesh.positions.size());
-  parallelFor(std::size_t{0}, view.mesh.positions.size(), [&](std::size_t v) {
-    view.deviation_mm[v] = deviation(view.mesh.positions[v].cast<double>());
-  });
+  if (!measured)
+    parallelFor(std::size_t{0}, view.mesh.positions.size(), [&](std::size_t v) {
+      view.deviation_mm[v] = deviation(view.mesh.positions[v].cast<double>());
+    });
   const double size = meshBounds(view.mesh).size().norm();
   for (int step = 0; step < 12; ++step) {
     if (!Halving(deviation, tolerance_mm, 2e-3 * size, size / 40.0, view).run(most)) return;

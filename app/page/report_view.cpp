@@ -17,7 +17,7 @@ namespace proveout {
 namespace {
 
 // Sizes for which the page stays below some 6 MB: a triangle takes about 6 bytes of it, a point 8.
-constexpr std::size_t kMostPart = 160'000, kMostColoured = 200'000, kMostNominal = 100'000,
+constexpr std::size_t kMostPart = 160'000, kMostColoured = 200'000, kMostNominal = 160'000,
                       kMostPoints = 150'000;
 /// As many as report.html has rows.
 constexpr std::size_t kMostFindings = 500;
@@ -57,6 +57,7 @@ ViewMesh coloured(const ViewInput& input, const Progress& progress) {
   ViewMesh view = reducedMesh(input.part, kMostPart, progress);
   const Comparison* c = input.comparison;
   if (c == nullptr || !c->field) return view;
+  if (view.off_mm == 0.0) view.deviation_mm = c->vertex_deviation;  // its vertices are the part's
   addDeviations([&](const Vec3& p) { return c->field->at(p); }, shownDeviation(*c), kMostColoured, view);
   return view;
 }
