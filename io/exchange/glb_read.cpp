@@ -1,6 +1,6 @@
-// Reads GLB files as meshes. Our own, since a nominal decides a verdict: the Open Asset Import Library
-// (5.2.5) takes files that are cut short, coordinates that are not finite, and drops triangles whose corners
-// are out of range without a word (docs/decisions/003-own-mesh-files.md).
+// Reads GLB files as meshes. Our own, since a nominal decides a verdict: the Open Asset Import Library (5.2.5)
+// takes coordinates that are not finite, and drops triangles whose corners are out of range without a word
+// (docs/decisions/003-own-mesh-files.md).
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
 // Reads the parts of a 3MF package as one mesh. Our own over minizip and Expat, since a nominal decides a
-// verdict: the Open Asset Import Library (5.2.5) does not look at the unit of a 3MF, takes coordinates that
-// are no numbers as 0, and crashes on a model that is cut short (docs/decisions/003-own-mesh-files.md).
+// verdict: the Open Asset Import Library (5.2.5) does not look at the unit of a 3MF, takes coordinates that are
+// no numbers as 0, and gives an empty scene, no error, of a model that is cut short
+// (docs/decisions/003-own-mesh-files.md).
 #include <expat.h>
 #include <fmt/format.h>
 
