@@ -292,6 +292,15 @@ void addCompare(CLI::App& root, CompareCommandOptions& o) {
   app->add_option("--excess", o.excess_mm, "Allowed above nominal; default: 0.05")
       ->option_text("MM")
       ->check(positiveMm());
+  app->add_option_function<std::string>(
+         "--general-tolerance",
+         [&o](const std::string& text) {
+           Result<GeneralTolerance> general = parseGeneralTolerance(text);
+           if (!general) throw CLI::ValidationError("--general-tolerance", general.error().message);
+           o.general = *general;
+         },
+         "Of the features of the nominal: a class of ISO 2768, as m or mK")
+      ->option_text("CLASS");
   app->add_option("--resolution", o.resolution_mm, "Spacing of the samples; default: 0.2")
       ->option_text("MM")
       ->check(positiveMm());

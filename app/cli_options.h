@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/placement_options.h"
+#include "removal/compare/features/general_tolerance.h"
 
 namespace proveout {
 
@@ -82,6 +83,7 @@ struct CompareCommandOptions {
   std::optional<std::string> nominal_unit;  ///< of the nominal, where it has another one
   NominalOptions place;
   double gouge_mm = 0.02, excess_mm = 0.05;
+  GeneralTolerance general;  ///< of the nominal's features
   double resolution_mm = 0.2;
   std::optional<int> threads;
   std::optional<double> max_time_s, max_memory_gb;

@@ -11,6 +11,7 @@
 #include "app/outputs.h"
 #include "app/page/report_view.h"
 #include "app/run_report.h"
+#include "app/session/findings/feature_table.h"
 #include "app/session/findings/findings.h"
 #include "app/session/forecast/comparison_work.h"
 #include "app/session/forecast/machine_speed.h"
@@ -69,6 +70,7 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   if (!model) return model.error();
   nominal.gouge_mm = options.gouge_mm;
   nominal.excess_mm = options.excess_mm;
+  nominal.general = options.general;
   return Pair{std::move(*part), std::move(*model), std::move(nominal)};
 }
 
@@ -109,6 +111,7 @@ Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair&
   settings.resolution_mm = options.resolution_mm;
   settings.threads = options.threads.value_or(0);
   settings.nominal_faces = pair.nominal.faces;
+  settings.measure_features = pair.spec.features;
   Result<Comparison> comparison = compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
   if (!comparison) return comparison.error();
   result.comparison = std::move(*comparison);
@@ -127,6 +130,7 @@ void addFound(const Pair& pair, const PairResult& result, Report& report) {
   report.comparison = reportComparison(comparison, pair.spec);
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
   addUndecided(comparison, report.findings);
+  addCharacteristics(comparison, pair.spec.featureTolerances(), report.findings);
   addCoarseNominal(comparison, report.findings);
   report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});

@@ -104,6 +104,7 @@ Result<Comparison> compareForHeatMap(const TriMesh& mesh, const HeatMapSource& s
   options.resolution_mm = source.resolution_mm;
   options.threads = threads;
   options.nominal_faces = nominal->faces;
+  options.measure_features = false;
   return compareToNominal(mesh, nominal->mesh, options, progress);
 }
 

@@ -245,7 +245,7 @@ ReportComparison reportComparison(const Comparison& comparison, const NominalSpe
   report.p95_mm = comparison.p95_mm;
   report.histogram_edges_mm = comparison.histogram.edges_mm;
   report.histogram_area_mm2 = comparison.histogram.area_mm2;
-  report.features = featureTable(comparison);
+  report.features = featureTable(comparison, nominal.featureTolerances());
   report.decided = comparison.undecided.empty();
   double deciding = std::numeric_limits<double>::infinity();
   for (const DeviationPatch& patch : comparison.undecided) {

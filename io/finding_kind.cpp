@@ -21,6 +21,8 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
      "the part lies above nominal by more than its tolerance"},
     {kUndecided, "undecided", kWarning, Check::kResolution, true,
      "a deviation so close to its tolerance that the grid, or the facets of the nominal, cannot tell"},
+    {kCharacteristic, "characteristic", kError, Check::kOwn, true,
+     "a dimension of a feature is outside of its tolerance, or cannot be measured"},
     {kRapidContact, "rapid_contact", kError, Check::kRapidContact, false, "the tool touched stock in rapid"},
     {kShankContact, "shank_contact", kError, Check::kShankContact, false, "the shank touched stock"},
     {kHolderContact, "holder_contact", kError, Check::kHolderContact, false, "the holder touched stock"},

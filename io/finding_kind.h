@@ -18,6 +18,7 @@ enum class FindingKind : std::uint8_t {
   kGouge,
   kExcess,
   kUndecided,
+  kCharacteristic,
   kRapidContact,
   kShankContact,
   kHolderContact,
@@ -95,8 +96,8 @@ bool isDeviation(FindingKind kind);
 std::optional<FindingKind> findingKindNamed(std::string_view name);
 /// Names of all kinds.
 std::vector<std::string> findingKindNames();
-/// Kinds that say that a result is missing, or not whole: whoever turned them off, or took them as known, would
-/// believe the rest.
+/// Kinds that say that a result is missing, or not whole: whoever turned them off, or took them as known,
+/// would believe the rest.
 bool isBinding(FindingKind kind);
 
 /// The name of a check's test case, "rapid contact"; "" for kOwn.

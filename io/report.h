@@ -191,18 +191,27 @@ struct ReportStock {
   bool closed = false;  ///< the exported mesh is a closed, oriented 2-manifold
 };
 
-/// A dimension of a feature, mm.
+/// A dimension of a feature; mm, or degrees for an angle, micrometres for a roughness.
 struct ReportCharacteristic {
-  std::string
-      name;  ///< "diameter", "radius", "position", "roundness", "flatness", "height", "lowest", "highest"
-  double nominal = 0.0, measured = 0.0;
+  std::string name;   ///< quantityName: "diameter", "x", "position", "depth", ...
+  std::string part;   ///< of a feature with several: "step of 12"; else empty
+  std::string label;  ///< as the job names it; may be empty
+  std::string unit = "mm";
+  double nominal = 0.0;
+  std::optional<double> measured;      ///< none: the part has too little of the feature
+  std::optional<double> lower, upper;  ///< allowed deviations from nominal; none: no limit
+  std::string tolerance;               ///< where they are from: "job", "ISO 2768-m", "surface"; empty: none
+  std::string verdict;                 ///< "pass", "fail"; empty: there is no tolerance
 };
 
-/// A face of the CAD model as it was machined.
+/// A feature of the nominal as it was machined.
 struct ReportFeature {
-  std::string feature;                                ///< "hole of diameter 8 at X20.000 Y20.000"
-  bool missing = false;                               ///< the part has no surface near most of it
-  std::vector<ReportCharacteristic> characteristics;  ///< none where it is missing
+  std::string id;       ///< "F3": its number in the table
+  std::string kind;     ///< featureKindName
+  std::string feature;  ///< "through hole of diameter 8 at X20.000 Y20.000"
+  Vec3 at = Vec3::Zero();
+  bool missing = false;  ///< the part has no surface near most of it
+  std::vector<ReportCharacteristic> characteristics;
 };
 
 /// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
@@ -218,7 +227,7 @@ struct ReportComparison {
   std::vector<double> histogram_area_mm2;
   bool decided = true;                           ///< false: the grid is too coarse for these tolerances
   std::optional<double> deciding_resolution_mm;  ///< grid that would decide it
-  std::vector<ReportFeature> features;           ///< of a CAD model; empty: the nominal is a mesh
+  std::vector<ReportFeature> features;           ///< of the nominal, as they are recognised
 };
 
 /// One contribution to the error of the figures.

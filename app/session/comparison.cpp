@@ -5,6 +5,7 @@
 #include "app/session/causes/diagnosis.h"
 #include "app/session/causes/proof.h"
 #include "app/session/findings/blame.h"
+#include "app/session/findings/feature_table.h"
 #include "app/session/findings/findings.h"
 #include "app/session/findings/provenance.h"
 #include "app/session/findings/uncertainty.h"
@@ -31,18 +32,30 @@ double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& 
   return t == nullptr ? -1.0 : t->insert ? 2.0 * t->insert->nose_radius : t->diameter;
 }
 
-/// Names who made the last finding.
-void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
+/// Names who made the surface that a finding is about. Where the maker is not told: a motion that reached
+/// within `within_mm` of the place.
+void blameMaker(const SurfaceMaker& maker, const Vec3& where, double within_mm, const RunSources& sources,
+                RunResult& run, Finding& finding) {
   const std::size_t last = run.setups.size() - 1;
-  const SurfaceMaker maker = mainMaker(patch);
   MadeBy made{maker.setup == SurfaceMaker::kLastSetup ? last : maker.setup, maker.motion};
   if (made.motion == kNoMotion) {
-    const double within = patch.depth_mm + 2.0 * run.resolution_mm;
-    made = madeEarlier(run, patch.where, within).value_or(MadeBy{last, kNoMotion});
+    made = madeEarlier(run, where, within_mm).value_or(MadeBy{last, kNoMotion});
   }
   const SetupRun& setup = run.setups[made.setup];
-  blame(run.findings.back(), made.motion, setup.interpreted.path, *sources[made.setup]);
-  run.findings.back().setup = setup.name;
+  blame(finding, made.motion, setup.interpreted.path, *sources[made.setup]);
+  finding.setup = setup.name;
+}
+
+/// Names who made the last finding.
+void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
+  blameMaker(mainMaker(patch), patch.where, patch.depth_mm + 2.0 * run.resolution_mm, sources, run,
+             run.findings.back());
+}
+
+void addCharacteristicFindings(const Job& job, const RunSources& sources, RunResult& run) {
+  for (const CharacteristicFault& fault :
+       addCharacteristics(*run.comparison, job.nominal->featureTolerances(), run.findings))
+    blameMaker(fault.maker, fault.at, 2.0 * run.resolution_mm, sources, run, run.findings[fault.finding]);
 }
 
 /// `unsure_facets_mm`: the profile resolution, where the part is compared as a mesh of facets.
@@ -111,6 +124,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.threads = job.simulation.threads;
   options.ignored = job.nominal->ignored;
   options.nominal_faces = nominal.faces;
+  options.measure_features = job.nominal->features;
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();
@@ -119,6 +133,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   if (unsure_facets_mm > 0.0) {
     for (DeviationPatch& patch : run.comparison->undecided) patch.deciding_resolution_mm = 0.0;  // no grid is
   }
+  addCharacteristicFindings(job, sources, run);
   addCoarseNominal(*run.comparison, run.findings);
   addIgnored(job.nominal->ignored, *run.comparison, run.findings);
   const std::vector<PatchFinding> told = addFindings(job, sources, options.part.get(), unsure_facets_mm, run);

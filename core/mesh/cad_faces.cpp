@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/base/assert.h"
+#include "core/mesh/edge_table.h"
 
 namespace proveout {
 namespace {
@@ -166,6 +167,118 @@ CadFaces facesOf(const TriMesh& mesh, const TriMesh& source, CadFaces faces) {
     if (found != known.end()) faces.of_triangle[t] = found->second;
   }
   return faces;
+}
+
+bool sameSurface(const CadFace& a, const CadFace& b, double near_mm, double near_rad) {
+  if (a.kind != b.kind || a.kind == SurfaceKind::kOther || a.hollow != b.hollow) return false;
+  const auto near = [&](double x, double y) { return std::abs(x - y) <= near_mm; };
+  const Vec3 from = b.origin - a.origin;
+  if (a.kind == SurfaceKind::kSphere) return from.norm() <= near_mm && near(a.radius, b.radius);
+  const bool directed = a.kind == SurfaceKind::kPlane || a.kind == SurfaceKind::kCone;
+  const double dot = a.axis.dot(b.axis);
+  if (a.axis.cross(b.axis).norm() > near_rad || (directed && dot < 0.0)) return false;
+  const double along = from.dot(a.axis), across = (from - along * a.axis).norm();
+  switch (a.kind) {
+    case SurfaceKind::kPlane:
+      return std::abs(along) <= near_mm;
+    case SurfaceKind::kCylinder:
+      return across <= near_mm && near(a.radius, b.radius);
+    case SurfaceKind::kCone:
+      return across <= near_mm && std::abs(a.half_angle_rad - b.half_angle_rad) <= near_rad &&
+             near(a.radius + along * std::tan(a.half_angle_rad), b.radius);
+    default:
+      return across <= near_mm && std::abs(along) <= near_mm && near(a.radius, b.radius) &&
+             near(a.tube_radius, b.tube_radius);
+  }
+}
+
+namespace {
+
+/// How far round an axis triangles go, in steps of half a degree.
+class TurnCounter {
+ public:
+  explicit TurnCounter(const CadFace& face)
+      : origin_(face.origin), u_(face.axis.unitOrthogonal()), v_(face.axis.cross(u_)) {}
+  void add(const std::array<Vec3, 3>& corners) {
+    double angle[3];
+    for (std::size_t c = 0; c < 3; ++c)
+      angle[c] = std::atan2((corners[c] - origin_).dot(v_), (corners[c] - origin_).dot(u_));
+    double low = 0.0, high = 0.0;  // beside the first corner; the short way round
+    for (std::size_t c = 1; c < 3; ++c) {
+      const double by = std::remainder(angle[c] - angle[0], 2.0 * kPi);
+      low = std::min(low, by);
+      high = std::max(high, by);
+    }
+    const long first = std::lround((angle[0] + low) / kStep), last = std::lround((angle[0] + high) / kStep);
+    for (long k = first; k < last; ++k)
+      seen_[static_cast<std::size_t>((k % kSteps + kSteps) % kSteps)] = true;
+  }
+  double turn() const { return kStep * static_cast<double>(std::count(seen_.begin(), seen_.end(), true)); }
+
+ private:
+  static constexpr long kSteps = 720;
+  static constexpr double kStep = 2.0 * kPi / kSteps;
+  Vec3 origin_, u_, v_;
+  std::array<bool, kSteps> seen_{};
+};
+
+std::string joinedName(const std::string& a, const std::string& b) {
+  if (a.empty() || b.empty() || a == b) return a.empty() ? b : a;
+  return a + ", " + b;
+}
+
+/// Counts the turns of the marked rounds by their triangles.
+void countTurns(const TriMesh& mesh, const std::vector<bool>& marked, CadFaces& faces) {
+  std::unordered_map<std::uint32_t, TurnCounter> counters;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t face = faces.of_triangle[t];
+    if (face == kNoFace || !marked[face]) continue;
+    const CadFace& of = faces.faces[face];
+    if (of.kind != SurfaceKind::kCylinder && of.kind != SurfaceKind::kCone) continue;
+    std::array<Vec3, 3> corners;
+    for (std::size_t c = 0; c < 3; ++c) corners[c] = mesh.positions[mesh.triangles[t][c]].cast<double>();
+    counters.try_emplace(face, of).first->second.add(corners);
+  }
+  for (const auto& [face, counter] : counters) faces.faces[face].turn_rad = counter.turn();
+}
+
+}  // namespace
+
+CadFaces joinedFaces(const TriMesh& mesh, CadFaces faces) {
+  PROVEOUT_ASSERT(faces.of_triangle.size() == mesh.triangles.size());
+  constexpr double kNearMm = 1e-5, kNearRad = 1e-7;
+  DisjointSets sets(faces.faces.size());
+  EdgeTable(mesh.positions.size(), mesh.triangles)
+      .forEachEdge([&](std::uint32_t, const HalfEdge* first, const HalfEdge* last) {
+        if (last - first != 2) return;
+        const std::uint32_t a = faces.of_triangle[first[0].half_edge / 3],
+                            b = faces.of_triangle[first[1].half_edge / 3];
+        if (a == b || a == kNoFace || b == kNoFace || sets.find(a) == sets.find(b)) return;
+        if (sameSurface(faces.faces[a], faces.faces[b], kNearMm, kNearRad)) sets.join(a, b);
+      });
+  if (sets.setsOfSeveral() == 0) return faces;
+  std::vector<std::uint32_t> number(faces.faces.size());
+  CadFaces out;
+  std::vector<bool> joined;
+  for (std::uint32_t f = 0; f < number.size(); ++f) {
+    const std::uint32_t head = sets.find(f);
+    if (head == f) {
+      number[f] = static_cast<std::uint32_t>(out.faces.size());
+      out.faces.push_back(faces.faces[f]);
+      joined.push_back(false);
+      continue;
+    }
+    number[f] = number[head];
+    CadFace& into = out.faces[number[f]];
+    into.name = joinedName(into.name, faces.faces[f].name);
+    joined[number[f]] = true;
+  }
+  out.chord_mm = faces.chord_mm;
+  out.of_triangle = std::move(faces.of_triangle);
+  for (std::uint32_t& face : out.of_triangle)
+    if (face != kNoFace) face = number[face];
+  countTurns(mesh, joined, out);
+  return out;
 }
 
 }  // namespace proveout

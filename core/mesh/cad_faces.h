@@ -35,8 +35,8 @@ struct CadFace {
   /// The direction in which that grows, unit.
   Vec3 normalAt(const Vec3& p) const;
   CadFace placed(const MeshPlacement& placement) const;
-  /// A hole or a boss, whose size is a diameter; such come as one face or as two halves.
-  bool isWholeCylinder() const { return kind == SurfaceKind::kCylinder && turn_rad > 0.99 * kPi; }
+  /// A hole or a boss, whose size is a diameter: it goes farther round than the end of a slot.
+  bool isWholeCylinder() const { return kind == SurfaceKind::kCylinder && turn_rad > 1.1 * kPi; }
 };
 
 inline constexpr std::uint32_t kNoFace = 0xFFFFFFFFu;
@@ -52,6 +52,13 @@ struct CadFaces {
     return face == kNoFace || faces[face].kind == SurfaceKind::kOther ? nullptr : &faces[face];
   }
 };
+
+/// Whether two exact faces lie in one surface, to `near_mm` and, by their directions, to `near_rad`.
+bool sameSurface(const CadFace& a, const CadFace& b, double near_mm, double near_rad);
+
+/// Faces of one surface that meet along an edge of the mesh become one face: CAD systems write a hole as two
+/// halves. Their names are put together, "left, right"; how far a round goes round is counted anew.
+CadFaces joinedFaces(const TriMesh& mesh, CadFaces faces);
 
 /// The face for people: "hole of diameter 8 at X20.000 Y20.000", "plane at Z5.000", and its name where it has
 /// one.

@@ -139,6 +139,7 @@ std::optional<Job> parseJob(std::string_view text, const std::string& text_name,
   readMachine(root, job);
   readStock(root, job);
   readNominal(root, job);
+  readCharacteristics(root, job);
   readTools(root, job);
   readOffsets(root, job);
   readPlacement(root, job);

@@ -25,6 +25,7 @@
 #include "io/mesh_io.h"
 #include "io/report_wish.h"
 #include "removal/compare/compare.h"
+#include "removal/compare/features/judgement.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
 
@@ -46,6 +47,11 @@ struct NominalSpec {
   double gouge_mm = 0.02;              ///< allowed below nominal, > 0
   double excess_mm = 0.05;             ///< allowed above nominal, > 0
   std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
+  bool features = true;                ///< they are recognised and measured
+  GeneralTolerance general;            ///< of their characteristics
+  std::vector<CharacteristicRule> characteristics;  ///< [[characteristic]], in their order
+
+  FeatureTolerances featureTolerances() const { return {gouge_mm, excess_mm, general, characteristics}; }
 };
 
 /// What a command may take where nobody says more, s: programs that do not end are told, and nobody waits all

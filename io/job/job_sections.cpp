@@ -432,6 +432,7 @@ void readNominal(ConfigTable& root, Job& job) {
   if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
   for (ConfigTable& region : table->tables("ignore", 1'000)) readIgnored(region, nominal);
+  readFeatureKeys(*table, nominal);
   table->refuseOthers();
   job.nominal = std::move(nominal);
 }

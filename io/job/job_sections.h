@@ -24,6 +24,10 @@ void readStock(ConfigTable& root, Job& job);
 /// [[stock.start_hole]]
 void readStartHoles(ConfigTable& stock, Job& job);
 void readNominal(ConfigTable& root, Job& job);
+/// `general_tolerance` and `features` of [nominal].
+void readFeatureKeys(ConfigTable& table, NominalSpec& nominal);
+/// [[characteristic]], behind readNominal.
+void readCharacteristics(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);
 void readOffsets(ConfigTable& root, Job& job);
 /// [placement]

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 #include "io/report.h"
 #include "io/report/report_html_parts.h"
@@ -208,37 +207,7 @@ class Page {
               : "");
     }
     add("<p class=\"quiet\">Nominal: <code>{}</code></p>\n</section>\n", escape(c.nominal));
-    features(c.features);
-  }
-
-  /// Features and their dimensions, one row a dimension.
-  void features(const std::vector<ReportFeature>& all) {
-    if (all.empty()) return;
-    out_ +=
-        "<section>\n<h2>Features of the nominal</h2>\n<div class=\"wide\"><table "
-        "class=\"stack\"><thead><tr><th>Feature</th><th>Characteristic</th><th class=\"num\">Nominal "
-        "mm</th><th "
-        "class=\"num\">Simulated mm</th><th class=\"num\">Deviation mm</th></tr></thead><tbody>\n";
-    for (const ReportFeature& feature : all | std::views::take(kMaxRows)) {
-      if (feature.missing) {
-        add("<tr><td data-label=\"Feature\">{}</td><td colspan=\"4\">missing: the part has no surface near "
-            "most of "
-            "it</td></tr>\n",
-            escape(feature.feature));
-      }
-      for (const ReportCharacteristic& c : feature.characteristics) {
-        add("<tr><td data-label=\"Feature\">{}</td><td data-label=\"Characteristic\">{}</td><td "
-            "class=\"num\" "
-            "data-label=\"Nominal mm\">{}</td><td class=\"num\" data-label=\"Simulated mm\">{}</td><td "
-            "class=\"num\" data-label=\"Deviation mm\">{:+.4f}</td></tr>\n",
-            escape(&c == feature.characteristics.data() ? feature.feature : ""), c.name, fixed(c.nominal, 4),
-            fixed(c.measured, 4), c.measured - c.nominal);
-      }
-    }
-    out_ += "</tbody></table></div>\n";
-    if (all.size() > kMaxRows)
-      add("<p class=\"quiet\">{} further features are in report.json.</p>\n", all.size() - kMaxRows);
-    out_ += "</section>\n";
+    out_ += report_html::featureTable(c.features, kMaxRows);
   }
 
   void setups() {

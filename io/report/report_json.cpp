@@ -204,17 +204,33 @@ Json numbersJson(const std::vector<double>& values) {
   return out;
 }
 
+/// Values of lengths end on _mm; of others the unit says what they are.
+Json characteristicJson(const ReportCharacteristic& c) {
+  Json out = {{"name", c.name}};
+  if (!c.part.empty()) out["part"] = c.part;
+  if (!c.label.empty()) out["label"] = c.label;
+  out["unit"] = c.unit;
+  out["nominal"] = number(c.nominal);
+  out["measured"] = number(c.measured);
+  out["deviation"] = c.measured ? number(*c.measured - c.nominal) : Json();
+  if (c.lower) out["lower"] = number(*c.lower);
+  if (c.upper) out["upper"] = number(*c.upper);
+  if (!c.tolerance.empty()) out["tolerance"] = c.tolerance;
+  if (!c.verdict.empty()) out["verdict"] = c.verdict;
+  return out;
+}
+
 Json featuresJson(const std::vector<ReportFeature>& features) {
   Json out = Json::array();
   for (const ReportFeature& feature : features) {
     Json rows = Json::array();
-    for (const ReportCharacteristic& c : feature.characteristics) {
-      rows.push_back({{"name", c.name},
-                      {"nominal_mm", number(c.nominal)},
-                      {"measured_mm", number(c.measured)},
-                      {"deviation_mm", number(c.measured - c.nominal)}});
-    }
-    out.push_back({{"feature", feature.feature}, {"missing", feature.missing}, {"characteristics", rows}});
+    for (const ReportCharacteristic& c : feature.characteristics) rows.push_back(characteristicJson(c));
+    out.push_back({{"id", feature.id},
+                   {"kind", feature.kind},
+                   {"feature", feature.feature},
+                   {"at", numbersJson({feature.at.x(), feature.at.y(), feature.at.z()})},
+                   {"missing", feature.missing},
+                   {"characteristics", rows}});
   }
   return out;
 }

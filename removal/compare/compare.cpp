@@ -20,7 +20,10 @@
 #include "removal/compare/deviation_patches.h"
 #include "removal/compare/deviation_statistics.h"
 #include "removal/compare/difference_volume.h"
-#include "removal/compare/face_fits.h"
+#include "removal/compare/features/face_fits.h"
+#include "removal/compare/features/face_network.h"
+#include "removal/compare/features/measured_features.h"
+#include "removal/compare/features/recognition.h"
 #include "removal/compare/measured_sides.h"
 #include "removal/compare/nominal.h"
 #include "removal/compare/point_deviation.h"
@@ -240,6 +243,15 @@ double largestBound(const BothSides& sides, double tolerance) {
   return largest;
 }
 
+/// The features of the model, and what the part has in their place.
+void tellFeatures(const TriMesh& nominal, const SampleMesh& goal, const CadFaces& faces,
+                  const ExactPart& part, Comparison& out) {
+  constexpr double kSmooth = degToRad(3.0);
+  out.face_fits = fitFaces(goal, faces, part);
+  out.features = recognizeFeatures(FaceNetwork(nominal, faces, kSmooth), FaceAccuracy{});
+  measureFeatures(faces, out.face_fits, part, out.features);
+}
+
 Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
                            Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
@@ -270,11 +282,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
   judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
   judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
-  if (o.nominal_faces != nullptr) {
-    constexpr double kLeastReach = 1.0, kReach = 4.0;  // mm; of the larger tolerance
-    const double reach = std::max(kLeastReach, kReach * std::max(o.gouge_mm, o.excess_mm));
-    out.face_fits = fitFaces(goal, *o.nominal_faces, asked.part(), reach);
-  }
+  if (o.nominal_faces != nullptr && o.measure_features)
+    tellFeatures(nominal, goal, *o.nominal_faces, asked.part(), out);
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
   for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess})

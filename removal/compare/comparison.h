@@ -18,6 +18,8 @@
 #include "core/geometry/types.h"
 #include "core/mesh/cad_faces.h"
 #include "removal/compare/exact_part.h"
+#include "removal/compare/features/face_fit.h"
+#include "removal/compare/features/feature.h"
 
 namespace proveout {
 
@@ -50,6 +52,8 @@ struct CompareOptions {
   /// The faces of the CAD model that the nominal mesh was made of: samples are measured to them, and chords
   /// do not matter. Null: only the mesh is known.
   std::shared_ptr<const CadFaces> nominal_faces = {};
+  /// Whether the features of the nominal are measured on the part.
+  bool measure_features = true;
   /// How near to each other, mm, spots of two makers are one finding; below 0: never. Spots of one motion are
   /// one anyway. Empty: what is two samples apart is one.
   std::function<double(const SurfaceMaker&, const SurfaceMaker&)> spot_gap = {};
@@ -90,19 +94,6 @@ struct DeviationPatch {
   double deciding_resolution_mm = 0.0;
 };
 
-/// A face of the CAD model as it was machined: least-squares fits, mm.
-struct FaceFit {
-  std::uint32_t face = 0;  ///< index in CadFaces
-  std::size_t points = 0;  ///< of the part's surface that were taken; 0: none lies near enough
-  std::size_t missed = 0;  ///< places of the face where the part has no surface near enough
-  double mean_mm = 0.0;    ///< of the distances off the face, > 0: material stands outside of it
-  double least_mm = 0.0, most_mm = 0.0;
-  double form_mm = 0.0;       ///< what the fit leaves: flatness of planes, roundness of rounds
-  double radius_mm = 0.0;     ///< of cylinders and spheres, as fitted
-  bool placed = false;        ///< the face goes far enough round for its place to be fitted
-  Vec3 shift = Vec3::Zero();  ///< of the axis, across it, or of the centre of a sphere, where it is placed
-};
-
 /// The place of the nominal that a point of the part is measured to.
 struct NominalFoot {
   Vec3 normal = Vec3::Zero();    ///< outward normal there, unit
@@ -130,6 +121,7 @@ struct Comparison {
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
   std::shared_ptr<const CadFaces> nominal_faces;  ///< those of the options
   std::vector<FaceFit> face_fits;                 ///< of the exact ones of these, in their order
+  std::vector<Feature> features;                  ///< that these faces make, as they were machined
   std::vector<DeviationPatch> patches;    ///< beyond tolerance by more than their bound; deepest first
   std::vector<DeviationPatch> undecided;  ///< nearer to a tolerance than their bound; deepest first
   double max_gouge_mm = 0.0;              ///< deepest of both sides, >= 0

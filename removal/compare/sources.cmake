@@ -8,7 +8,18 @@ proveout_add_library(compare
   compare/deviation_statistics.cpp
   compare/difference_volume.cpp
   compare/exact_part.cpp
-  compare/face_fits.cpp
+  compare/features/boss_finder.cpp
+  compare/features/dimensions.cpp
+  compare/features/face_fits.cpp
+  compare/features/face_network.cpp
+  compare/features/feature.cpp
+  compare/features/general_tolerance.cpp
+  compare/features/hole_finder.cpp
+  compare/features/judgement.cpp
+  compare/features/measured_features.cpp
+  compare/features/pocket_finder.cpp
+  compare/features/recognition.cpp
+  compare/features/single_faces.cpp
   compare/join_bodies.cpp
   compare/measured_sides.cpp
   compare/shape/mesh_facets.cpp

@@ -1,51 +1,141 @@
 #include "app/session/findings/feature_table.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace proveout {
 namespace {
 
-/// Less than half of a face is there: what is left of it says nothing of its size.
-bool isGone(const FaceFit& fit) { return fit.missed > fit.points; }
-
-void addRound(const CadFace& face, const FaceFit& fit, ReportFeature& out) {
-  if (face.isWholeCylinder()) {
-    out.characteristics.push_back({"diameter", 2.0 * face.radius, 2.0 * fit.radius_mm});
-  } else {
-    out.characteristics.push_back({"radius", face.radius, fit.radius_mm});
+std::string sourceText(const JudgedCharacteristic& judged, const FeatureTolerances& tolerances) {
+  switch (judged.source) {
+    case ToleranceSource::kSurface:
+      return "surface";
+    case ToleranceSource::kGeneral:
+      return tolerances.general.text();
+    case ToleranceSource::kRule:
+      return "job";
+    default:
+      return "";
   }
-  // True position: the diameter of the zone around the model's place (ISO 1101).
-  if (fit.placed) out.characteristics.push_back({"position", 0.0, 2.0 * fit.shift.norm()});
-  out.characteristics.push_back({"roundness", 0.0, fit.form_mm});
 }
 
-ReportFeature featureOf(const CadFace& face, const FaceFit& fit) {
-  ReportFeature out;
-  out.feature = describe(face);
-  out.missing = isGone(fit);
-  if (out.missing) return out;
-  switch (face.kind) {
-    case SurfaceKind::kCylinder:
-    case SurfaceKind::kSphere:
-      addRound(face, fit, out);
-      break;
-    case SurfaceKind::kPlane:
-      out.characteristics.push_back({"height", 0.0, fit.mean_mm});
-      out.characteristics.push_back({"flatness", 0.0, fit.form_mm});
-      break;
-    default:
-      out.characteristics.push_back({"lowest", 0.0, fit.least_mm});
-      out.characteristics.push_back({"highest", 0.0, fit.most_mm});
-      break;
+std::string unitOf(Quantity quantity) {
+  if (isAngle(quantity)) return "deg";
+  if (quantity == Quantity::kSkin) return "mm2";
+  return quantity == Quantity::kRoughness ? "um" : "mm";
+}
+
+ReportCharacteristic rowOf(const Characteristic& c, const JudgedCharacteristic& judged,
+                           const FeatureTolerances& tolerances) {
+  ReportCharacteristic row;
+  row.name = quantityName(c.quantity);
+  row.part = c.part;
+  if (judged.rule != nullptr) row.label = judged.rule->name;
+  row.unit = unitOf(c.quantity);
+  row.nominal = judged.nominal;
+  row.measured = c.measured;
+  row.lower = judged.lower;
+  row.upper = judged.upper;
+  row.tolerance = sourceText(judged, tolerances);
+  if (judged.verdict != CharacteristicVerdict::kNone)
+    row.verdict = judged.verdict == CharacteristicVerdict::kPass ? "pass" : "fail";
+  return row;
+}
+
+std::string limitsText(const JudgedCharacteristic& judged) {
+  if (judged.lower && judged.upper)
+    return fmt::format("{:+g} to {:+g}", *judged.lower + 0.0, *judged.upper + 0.0);
+  if (judged.upper) return fmt::format("up to {:g}", *judged.upper);
+  return fmt::format("from {:+g}", *judged.lower);
+}
+
+/// "diameter of the through hole ... is 8.053 mm, +0.053 off 8 (allowed -0.02 to +0.02, bearing seat)".
+std::string faultText(const Feature& feature, const Characteristic& c, const JudgedCharacteristic& judged,
+                      const FeatureTolerances& tolerances) {
+  const std::string name = judged.rule == nullptr || judged.rule->name.empty()
+                               ? sourceText(judged, tolerances)
+                               : judged.rule->name;
+  const std::string what = fmt::format("{} of the {}{}", quantityName(c.quantity), feature.name,
+                                       c.part.empty() ? "" : ", " + c.part + ",");
+  if (!c.measured)
+    return fmt::format("{} cannot be measured: the part has too little of it (allowed {}, {})", what,
+                       limitsText(judged), name);
+  return fmt::format("{} is {:.4f} {}, {:+.4f} off {:.6g} (allowed {}, {})", what, *c.measured,
+                     unitOf(c.quantity), *c.measured - judged.nominal, judged.nominal, limitsText(judged),
+                     name);
+}
+
+const FaceFit* fitOf(const Comparison& comparison, const std::vector<std::uint32_t>& faces) {
+  for (const std::uint32_t face : faces) {
+    for (const FaceFit& fit : comparison.face_fits)
+      if (fit.face == face && fit.points > 0) return &fit;
   }
+  return nullptr;
+}
+
+std::string ruleText(const CharacteristicRule& rule) {
+  std::string out =
+      rule.name.empty() ? "the characteristic" : fmt::format("the characteristic '{}'", rule.name);
+  if (rule.quantity) out += fmt::format(" ({})", quantityName(*rule.quantity));
   return out;
 }
 
 }  // namespace
 
-std::vector<ReportFeature> featureTable(const Comparison& comparison) {
+std::vector<ReportFeature> featureTable(const Comparison& comparison, const FeatureTolerances& tolerances) {
   std::vector<ReportFeature> out;
-  for (const FaceFit& fit : comparison.face_fits)
-    out.push_back(featureOf(comparison.nominal_faces->faces[fit.face], fit));
+  if (comparison.features.empty()) return out;
+  const Judgement judgement = judgeFeatures(comparison.features, *comparison.nominal_faces, tolerances);
+  for (std::size_t k = 0; k < comparison.features.size(); ++k) {
+    const Feature& feature = comparison.features[k];
+    ReportFeature row;
+    row.id = fmt::format("F{}", k + 1);
+    row.kind = featureKindName(feature.kind);
+    row.feature = feature.name;
+    row.at = feature.at;
+    row.missing = feature.missing;
+    for (std::size_t i = 0; i < feature.characteristics.size(); ++i)
+      row.characteristics.push_back(rowOf(feature.characteristics[i], judgement.features[k][i], tolerances));
+    out.push_back(std::move(row));
+  }
   return out;
+}
+
+std::vector<CharacteristicFault> addCharacteristics(const Comparison& comparison,
+                                                    const FeatureTolerances& tolerances,
+                                                    std::vector<Finding>& findings) {
+  std::vector<CharacteristicFault> faults;
+  static const CadFaces kNoFaces;
+  const CadFaces& faces = comparison.nominal_faces == nullptr ? kNoFaces : *comparison.nominal_faces;
+  const Judgement judgement = judgeFeatures(comparison.features, faces, tolerances);
+  for (std::size_t k = 0; k < comparison.features.size(); ++k) {
+    const Feature& feature = comparison.features[k];
+    for (std::size_t i = 0; i < feature.characteristics.size(); ++i) {
+      const Characteristic& c = feature.characteristics[i];
+      const JudgedCharacteristic& judged = judgement.features[k][i];
+      const bool own = judged.source == ToleranceSource::kRule || judged.source == ToleranceSource::kGeneral;
+      if (!own || judged.verdict != CharacteristicVerdict::kFail) continue;
+      Finding finding(FindingKind::kCharacteristic);
+      finding.where = feature.at;
+      finding.feature = feature.name;
+      if (c.measured && !isAngle(c.quantity)) finding.depth_mm = std::abs(*c.measured - judged.nominal);
+      finding.message = feature.missing ? fmt::format("the {} is missing", feature.name)
+                                        : faultText(feature, c, judged, tolerances);
+      if (const FaceFit* fit = fitOf(comparison, c.faces))
+        faults.push_back({findings.size(), fit->maker, fit->middle});
+      findings.push_back(std::move(finding));
+      if (feature.missing) break;  // once
+    }
+  }
+  for (const CharacteristicRule* rule : judgement.unused) {
+    Finding finding(FindingKind::kCharacteristic);
+    finding.where = rule->at;
+    finding.message = ruleText(*rule) + " is of no feature of the nominal: see the features in report.json";
+    findings.push_back(std::move(finding));
+  }
+  return faults;
 }
 
 }  // namespace proveout

@@ -41,6 +41,14 @@ const CadFace* faceOf(const DeviationPatch& patch, const Comparison& comparison)
              : &comparison.nominal_faces->faces[patch.face];
 }
 
+/// The feature that a face belongs to, for people; where none is recognised the face.
+std::string featureAt(std::uint32_t face, const Comparison& comparison) {
+  for (const Feature& feature : comparison.features)
+    if (std::find(feature.faces.begin(), feature.faces.end(), face) != feature.faces.end())
+      return feature.name;
+  return describe(comparison.nominal_faces->faces[face]);
+}
+
 /// Whether a patch is a hole that is not there: material up to its middle.
 bool isMissing(const DeviationPatch& patch, const CadFace& face) {
   constexpr double kAll = 0.9;  // of the radius: a smaller drill leaves less
@@ -57,8 +65,8 @@ std::string deviationText(const DeviationPatch& patch, const Comparison& compari
   const CadFace* const face = faceOf(patch, comparison);
   if (face == nullptr) return text;
   if (isMissing(patch, *face))
-    return fmt::format("the {} is missing or too short: {}", describe(*face), text);
-  return fmt::format("{} at the {}", text, describe(*face));
+    return fmt::format("the {} is missing or too short: {}", featureAt(patch.face, comparison), text);
+  return fmt::format("{} at the {}", text, featureAt(patch.face, comparison));
 }
 
 Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
@@ -75,7 +83,7 @@ Finding patchFinding(FindingKind kind, const DeviationPatch& patch) {
 /// The same with the feature that it is at.
 Finding patchFinding(FindingKind kind, const DeviationPatch& patch, const Comparison& comparison) {
   Finding finding = patchFinding(kind, patch);
-  if (const CadFace* const face = faceOf(patch, comparison)) finding.feature = describe(*face);
+  if (faceOf(patch, comparison) != nullptr) finding.feature = featureAt(patch.face, comparison);
   return finding;
 }
 

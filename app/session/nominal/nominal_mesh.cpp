@@ -38,8 +38,8 @@ Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
   body->faces.chord_mm *= nominal.placement.scale;
   Result<PreparedMesh> prepared = prepareNominal(body->mesh, nominal.mesh.path);
   if (!prepared) return prepared;
-  prepared->faces =
-      std::make_shared<const CadFaces>(facesOf(prepared->mesh, body->mesh, std::move(body->faces)));
+  CadFaces faces = facesOf(prepared->mesh, body->mesh, std::move(body->faces));
+  prepared->faces = std::make_shared<const CadFaces>(joinedFaces(prepared->mesh, std::move(faces)));
   prepared->notes.insert(prepared->notes.begin(), body->notes.begin(), body->notes.end());
   return prepared;
 }

@@ -68,9 +68,9 @@ TEST_F(StepJob, TheRightProgramPasses) {
   for (const FaceFit& fit : result->comparison->face_fits) {
     const CadFace& face = result->comparison->nominal_faces->faces[fit.face];
     EXPECT_EQ(fit.missed, 0u) << describe(face);
-    EXPECT_LT(fit.form_mm + std::abs(fit.mean_mm) + fit.shift.norm(), 1e-4) << describe(face);
+    EXPECT_LT(fit.form_mm + std::abs(fit.mean_mm) + fit.shift(face).norm(), 1e-4) << describe(face);
     if (face.kind == SurfaceKind::kCylinder) {
-      EXPECT_NEAR(fit.radius_mm, face.radius, 1e-4) << describe(face);
+      EXPECT_NEAR(fit.fitted.radius, face.radius, 1e-4) << describe(face);
     }
   }
 }
@@ -92,10 +92,10 @@ TEST_F(StepJob, AMissingHoleIsToldAsOne) {
   ASSERT_TRUE(result) << result.error().message;
   for (const Finding& finding : result->findings) {
     if (finding.kind != FindingKind::kExcess) continue;
-    EXPECT_EQ(finding.feature, "hole of diameter 6 at X45.000 Y20.000");
-    EXPECT_THAT(finding.message, testing::StartsWith("the hole of diameter 6 at X45.000 Y20.000 is missing"));
+    EXPECT_EQ(finding.feature, "through hole of diameter 6 at X45.000 Y20.000");
+    EXPECT_THAT(finding.message, testing::StartsWith("the through hole of diameter 6 at X45.000 Y20.000 is missing"));
   }
-  EXPECT_EQ(featureOf(*result, FindingKind::kExcess), "hole of diameter 6 at X45.000 Y20.000");
+  EXPECT_EQ(featureOf(*result, FindingKind::kExcess), "through hole of diameter 6 at X45.000 Y20.000");
 }
 
 TEST_F(StepJob, RefusesWhatTheFileSaysItself) {
