@@ -108,6 +108,7 @@ std::optional<double> valueOf(const Characteristic& c, const FaceAt& face) {
       return c.faces.size() == 2 ? betweenPlanes(c, face) : depthOf(c, face);
     case Quantity::kHeight:
     case Quantity::kWidth:
+    case Quantity::kLength:
       return betweenPlanes(c, face);
     case Quantity::kAngle:
       return angleOf(first);

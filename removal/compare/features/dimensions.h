@@ -15,9 +15,9 @@ using FaceAt = std::function<const CadFace&(std::uint32_t)>;
 /// kDiameter, kRadius: of f0. kConeDiameter: of the cone f0 on the plane f1. kX, kY, kZ: of the axis or the
 /// centre of f0 at `at`, of the plane f0, or the middle between the planes f0 and f1 there. kOffset: the same
 /// along the model's normal `to - from`, from `at`. kPosition: see positionOf. kDepth: along the axis of f0
-/// from f1 to f2, both as a plane or a round end; with two faces as kHeight. kHeight, kWidth: between the
-/// planes f0 and f1 at `at`, along the model's normal `to - from`. kAngle: of the cone f0; of the normal of
-/// the plane f0 to Z. kPerpendicularity: of the axis f0, from `from` to `to`, to the plane f1.
+/// from f1 to f2, both as a plane or a round end; with two faces as kHeight. kHeight, kWidth, kLength:
+/// between the planes f0 and f1 at `at`, along the model's normal `to - from`. kAngle: of the cone f0; of the
+/// normal of the plane f0 to Z. kPerpendicularity: of the axis f0, from `from` to `to`, to the plane f1.
 std::optional<double> valueOf(const Characteristic& c, const FaceAt& face);
 
 /// Diameter of the zone around the model's axis, from `from` to `to`, or centre `at`, that holds the other

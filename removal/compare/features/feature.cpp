@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array<std::string_view, 8> kKinds = {"hole",  "boss", "pocket", "slot",
                                                     "plane", "cone", "sphere", "fillet"};
-constexpr std::array<std::string_view, 21> kQuantities = {"diameter",
+constexpr std::array<std::string_view, 22> kQuantities = {"diameter",
                                                           "cone diameter",
                                                           "radius",
                                                           "x",
@@ -19,6 +19,7 @@ constexpr std::array<std::string_view, 21> kQuantities = {"diameter",
                                                           "depth",
                                                           "height",
                                                           "width",
+                                                          "length",
                                                           "angle",
                                                           "perpendicularity",
                                                           "flatness",

@@ -29,6 +29,7 @@ enum class Quantity : std::uint8_t {
   kDepth,             ///< along the axis of a hole, from its entry; of a pocket from its rim
   kHeight,            ///< of a boss
   kWidth,             ///< between two parallel planes that face each other
+  kLength,            ///< the same between the farther pair of a pocket's walls
   kAngle,             ///< whole angle of a cone; of an inclined plane to the XY plane
   kPerpendicularity,  ///< of an axis to the plane it starts from, diameter of its zone (ISO 1101)
   kFlatness,

@@ -32,6 +32,8 @@ struct FeatureSearch {
 
 /// The axis of the frame that a direction is along; -1: none.
 int frameAxis(const Vec3& direction);
+/// What tells the place of a plane with that normal: x, y, z, or its offset.
+Quantity placeQuantity(const Vec3& normal);
 /// "X20.000 Y5.000": the coordinates across the axis, or all three where it is none of the frame's.
 std::string placeText(const Vec3& at, const Vec3& axis);
 /// x, y, z of a round's axis or centre across the frame's axes, at `at`, and its true position.

@@ -80,6 +80,7 @@ std::optional<double> GeneralTolerance::limit(const Characteristic& c, double le
     case Quantity::kDepth:
     case Quantity::kHeight:
     case Quantity::kWidth:
+    case Quantity::kLength:
       if (size == '\0' || value < kLeast) return std::nullopt;
       return find<4>(kSizes, value, by_size);
     case Quantity::kX:

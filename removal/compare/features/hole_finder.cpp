@@ -204,7 +204,9 @@ class HoleFinder {
     c.quantity = Quantity::kAngle;
     c.faces = {f};
     const auto range = s_.network.along(f, stack.origin, stack.into);
-    c.at = c.from = c.to = stack.origin + range.middle() * stack.into;
+    c.at = stack.origin + range.middle() * stack.into;
+    c.from = stack.origin + range.low * stack.into;
+    c.to = stack.origin + range.high * stack.into;
     out.characteristics.push_back(c);
     if (f == stack.walls.front() && stack.entry != kNoFace) {
       c.quantity = Quantity::kConeDiameter;

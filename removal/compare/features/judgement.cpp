@@ -14,8 +14,16 @@ Limits ofPlane(double along_normal, double gouge, double excess) {
   return along_normal > 0.0 ? Limits(-gouge, excess) : Limits(-excess, gouge);
 }
 
+/// The length that tolerances of angle and form go by, mm: of the feature along its axis, or across.
+double lengthOf(const Feature& feature, const Characteristic& c) {
+  const bool plane = c.quantity == Quantity::kFlatness ||
+                     (c.quantity == Quantity::kAngle && feature.kind == FeatureKind::kPlane);
+  return std::max(plane ? feature.bounds.size().maxCoeff() : (c.to - c.from).norm(), 1e-3);
+}
+
 /// What a surface within its tolerances leaves: the limits of the characteristic.
-Limits surfaceLimits(const Characteristic& c, const CadFaces& faces, double gouge, double excess) {
+Limits surfaceLimits(const Characteristic& c, const CadFaces& faces, double length, double gouge,
+                     double excess) {
   const CadFace& first = faces.faces[c.faces.front()];
   const double least = std::min(gouge, excess), both = gouge + excess;
   const auto ofSize = [&](double sides, bool hollow) {
@@ -23,10 +31,20 @@ Limits surfaceLimits(const Characteristic& c, const CadFaces& faces, double goug
   };
   switch (c.quantity) {
     case Quantity::kDiameter:
+      if (first.kind == SurfaceKind::kTorus) return {-2.0 * least, 2.0 * least};
       return ofSize(2.0, first.hollow);
+    case Quantity::kConeDiameter:
+      return {-2.0 * least, 2.0 * least};
+    case Quantity::kAngle: {
+      // What turns the face by its tolerance at both of its ends.
+      const double turn = radToDeg(2.0 * least / length);
+      const double limit = first.kind == SurfaceKind::kCone ? 2.0 * turn : turn;
+      return {-limit, limit};
+    }
     case Quantity::kRadius:
       return ofSize(1.0, first.hollow);
     case Quantity::kWidth:
+    case Quantity::kLength:
       return ofSize(2.0, true);
     case Quantity::kX:
     case Quantity::kY:
@@ -121,12 +139,6 @@ class Matcher {
   std::size_t nearest_ = std::numeric_limits<std::size_t>::max();
 };
 
-/// The length that tolerances of angle and form go by: of the feature along its axis, or across.
-double lengthOf(const Feature& feature, const Characteristic& c) {
-  const double axis = (c.to - c.from).norm();
-  return c.quantity == Quantity::kFlatness ? feature.bounds.size().maxCoeff() : std::max(axis, 1e-3);
-}
-
 void judge(const Characteristic& c, JudgedCharacteristic& out) {
   constexpr double kRounding = 1e-9;
   if (!out.lower && !out.upper) return;
@@ -155,7 +167,7 @@ Judgement judgeFeatures(const std::vector<Feature>& features, const CadFaces& fa
         if (!isZone(c.quantity)) judged.lower = -*limit;
       } else if (!c.faces.empty()) {
         std::tie(judged.lower, judged.upper) =
-            surfaceLimits(c, faces, tolerances.gouge_mm, tolerances.excess_mm);
+            surfaceLimits(c, faces, lengthOf(feature, c), tolerances.gouge_mm, tolerances.excess_mm);
         if (judged.lower || judged.upper) judged.source = ToleranceSource::kSurface;
       }
     }

@@ -53,10 +53,12 @@ class Measurer {
   bool isThere(std::uint32_t f) const { return fit_of_[f] != nullptr && !fit_of_[f]->gone(); }
   const CadFace& fitted(std::uint32_t f) const { return fit_of_[f]->fitted; }
 
-  /// The faces that its characteristics start from are gone: the walls of a hole, the sides of a slot.
+  /// The faces that make it are gone: the walls of a hole or a boss, all that is measured of another feature.
   bool isMissing(const Feature& feature) const {
+    const bool round = feature.kind == FeatureKind::kHole || feature.kind == FeatureKind::kBoss;
     std::size_t there = 0, gone = 0;
-    for (const Characteristic& c : feature.characteristics) ++(isThere(c.faces.front()) ? there : gone);
+    for (const Characteristic& c : feature.characteristics)
+      if (!round || c.quantity == Quantity::kDiameter) ++(isThere(c.faces.front()) ? there : gone);
     return there == 0 && gone > 0;
   }
 

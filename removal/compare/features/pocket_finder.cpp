@@ -11,6 +11,9 @@
 namespace proveout {
 namespace pocket_detail {
 
+/// The end of a slot goes half round.
+constexpr double kHalfRound = degToRad(150.0);
+
 /// Two planes that face each other over air.
 struct Facing {
   std::uint32_t a = kNoFace, b = kNoFace;
@@ -99,21 +102,18 @@ class PocketFinder {
     return best;
   }
 
-  void addWidth(const Facing& pair, std::uint32_t floor, const std::string& part, Feature& out) const {
+  void addWidth(const Facing& pair, Quantity quantity, Feature& out) const {
     const CadFace& first = s_.face(pair.a);
     Characteristic c;
-    c.part = part;
     c.faces = {pair.a, pair.b};
     // In the middle of the two, at half of their height.
     c.at = 0.5 * (s_.network.middle(pair.a) + s_.network.middle(pair.b));
     c.from = Vec3::Zero();
     c.to = first.axis;
-    c.quantity = Quantity::kWidth;
+    c.quantity = quantity;
     out.characteristics.push_back(c);
-    const int axis = frameAxis(first.axis);
-    c.quantity = axis < 0 ? Quantity::kOffset : static_cast<Quantity>(static_cast<int>(Quantity::kX) + axis);
+    c.quantity = placeQuantity(first.axis);
     out.characteristics.push_back(c);
-    if (floor == kNoFace) return;
   }
 
   void consider(std::uint32_t floor) {
@@ -138,7 +138,7 @@ class PocketFinder {
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const Facing& a, const Facing& b) { return a.width < b.width; });
     for (const Facing& pair : sorted)
-      addWidth(pair, floor, sorted.size() > 1 && &pair != sorted.data() ? "length" : "", out);
+      addWidth(pair, &pair == sorted.data() ? Quantity::kWidth : Quantity::kLength, out);
     for (const std::uint32_t wall : walls)
       if (s_.face(wall).kind == SurfaceKind::kPlane && isPaired(wall, pairs)) out.faces.push_back(wall);
     addEnds(walls, out);
@@ -187,10 +187,15 @@ class PocketFinder {
       c.from = face.origin + range.low * face.axis;
       c.to = face.origin + range.high * face.axis;
       c.at = face.origin + range.middle() * face.axis;
-      c.part = fmt::format("{} at {}", upright ? "corner" : "fillet", placeText(c.at, face.axis));
+      c.part = fmt::format("{} at {}",
+                           !upright                     ? "fillet"
+                           : face.turn_rad > kHalfRound ? "end"
+                                                        : "corner",
+                           placeText(c.at, face.axis));
       c.quantity = Quantity::kRadius;
       c.faces = {f};
       out.characteristics.push_back(c);
+      if (upright && face.turn_rad > kHalfRound) addPlace(f, c.part, c, face, out.characteristics);
       out.faces.push_back(f);
     }
   }
@@ -203,7 +208,7 @@ void throughSlots(FeatureSearch& s) {
   for (std::uint32_t f = 0; f < s.network.size(); ++f) {
     const CadFace& round = s.face(f);
     if (round.kind != SurfaceKind::kCylinder || !round.hollow || s.taken[f] || round.isWholeCylinder() ||
-        round.turn_rad < degToRad(150.0))
+        round.turn_rad < kHalfRound)
       continue;
     std::vector<std::uint32_t> sides;
     for (const FaceBorder& border : s.network.borders(f))
@@ -227,8 +232,7 @@ void throughSlots(FeatureSearch& s) {
     c.to = first.axis;
     c.quantity = Quantity::kWidth;
     out.characteristics.push_back(c);
-    const int axis = frameAxis(first.axis);
-    c.quantity = axis < 0 ? Quantity::kOffset : static_cast<Quantity>(static_cast<int>(Quantity::kX) + axis);
+    c.quantity = placeQuantity(first.axis);
     out.characteristics.push_back(c);
     for (std::size_t k = 2; k < out.faces.size(); ++k) {
       Characteristic end;

@@ -45,6 +45,11 @@ int frameAxis(const Vec3& direction) {
   return -1;
 }
 
+Quantity placeQuantity(const Vec3& normal) {
+  const int axis = frameAxis(normal);
+  return axis < 0 ? Quantity::kOffset : static_cast<Quantity>(static_cast<int>(Quantity::kX) + axis);
+}
+
 std::string placeText(const Vec3& at, const Vec3& axis) {
   const int along = frameAxis(axis);
   std::string out;

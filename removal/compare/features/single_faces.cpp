@@ -14,7 +14,7 @@ void addPlane(const FeatureSearch& s, std::uint32_t f, Characteristic c, Feature
   const int axis = frameAxis(face.axis);
   out.kind = FeatureKind::kPlane;
   c.to = c.from + face.axis;
-  c.quantity = axis < 0 ? Quantity::kOffset : static_cast<Quantity>(static_cast<int>(Quantity::kX) + axis);
+  c.quantity = placeQuantity(face.axis);
   out.characteristics.push_back(c);
   if (axis < 0) {
     c.quantity = Quantity::kAngle;
@@ -34,7 +34,9 @@ void addCone(const FeatureSearch& s, std::uint32_t f, Characteristic c, Feature&
     Characteristic wide = c;
     wide.quantity = Quantity::kConeDiameter;
     wide.faces = {f, border.other};
-    wide.part = fmt::format("at {}", placeText(border.middle, Vec3::Zero()));
+    const int along = frameAxis(face.axis);
+    wide.part = along < 0 ? fmt::format("at {}", placeText(border.middle, Vec3::Zero()))
+                          : fmt::format("at {}{:.3f}", "XYZ"[along], border.middle[along] + 0.0);
     out.characteristics.push_back(wide);
   }
   addPlace(f, "", c, face, out.characteristics);
@@ -48,6 +50,12 @@ void addRound(const FeatureSearch& s, std::uint32_t f, const Characteristic& whe
   Characteristic c = where;
   c.quantity = Quantity::kRadius;
   out.characteristics.push_back(c);
+  if (face.kind == SurfaceKind::kTorus) {
+    c.quantity = Quantity::kDiameter;
+    c.part = "circle";
+    out.characteristics.push_back(c);
+    c.part.clear();
+  }
   const bool placed = face.kind != SurfaceKind::kCylinder || face.turn_rad > degToRad(120.0);
   if (placed) addPlace(f, "", c, face, out.characteristics);
   c.quantity = Quantity::kForm;

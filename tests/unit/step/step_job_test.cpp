@@ -65,6 +65,10 @@ TEST_F(StepJob, TheRightProgramPasses) {
   EXPECT_TRUE(result->comparison->pass());
   EXPECT_LT(result->comparison->max_gouge_mm, 1e-4);
   EXPECT_LT(result->comparison->max_excess_mm, 1e-4);
+  EXPECT_GE(result->comparison->features.size(), 7u);
+  for (const Feature& feature : result->comparison->features)
+    for (const Characteristic& c : feature.characteristics)
+      EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 2e-4) << feature.name << " " << quantityName(c.quantity);
   for (const FaceFit& fit : result->comparison->face_fits) {
     const CadFace& face = result->comparison->nominal_faces->faces[fit.face];
     EXPECT_EQ(fit.missed, 0u) << describe(face);
@@ -93,7 +97,8 @@ TEST_F(StepJob, AMissingHoleIsToldAsOne) {
   for (const Finding& finding : result->findings) {
     if (finding.kind != FindingKind::kExcess) continue;
     EXPECT_EQ(finding.feature, "through hole of diameter 6 at X45.000 Y20.000");
-    EXPECT_THAT(finding.message, testing::StartsWith("the through hole of diameter 6 at X45.000 Y20.000 is missing"));
+    EXPECT_THAT(finding.message,
+                testing::StartsWith("the through hole of diameter 6 at X45.000 Y20.000 is missing"));
   }
   EXPECT_EQ(featureOf(*result, FindingKind::kExcess), "through hole of diameter 6 at X45.000 Y20.000");
 }

@@ -83,11 +83,13 @@ TEST_F(StepNominal, FacesAreFittedByLeastSquares) {
   const FaceFit& blind = fitOf(off, SurfaceKind::kCylinder, 10.0);
   EXPECT_NEAR(blind.fitted.radius, 10.03, 1.5 * kMachinedChord);
   EXPECT_TRUE(blind.placed);
-  EXPECT_LT((blind.shift(off.nominal_faces->faces[blind.face]) - Vec3(0.04, 0, 0)).norm(), 0.5 * kMachinedChord);
+  EXPECT_LT((blind.shift(off.nominal_faces->faces[blind.face]) - Vec3(0.04, 0, 0)).norm(),
+            0.5 * kMachinedChord);
   EXPECT_NEAR(fitOf(off, SurfaceKind::kSphere, 8.0).fitted.radius, 7.94, 1.5 * kMachinedChord);
   const FaceFit& through = fitOf(off, SurfaceKind::kCylinder, 4.0);
   EXPECT_NEAR(through.fitted.radius, 4.0, 1.5 * kMachinedChord);
-  EXPECT_LT(through.shift(off.nominal_faces->faces[through.face]).norm() + through.form_mm, 3.0 * kMachinedChord);
+  EXPECT_LT(through.shift(off.nominal_faces->faces[through.face]).norm() + through.form_mm,
+            3.0 * kMachinedChord);
   EXPECT_EQ(through.missed, 0u);
 }
 
