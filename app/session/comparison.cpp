@@ -124,6 +124,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.threads = job.simulation.threads;
   options.ignored = job.nominal->ignored;
   options.nominal_faces = nominal.faces;
+  options.local = job.nominal->local;
   options.measure_features = job.nominal->features;
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);

@@ -169,6 +169,11 @@ CadFaces facesOf(const TriMesh& mesh, const TriMesh& source, CadFaces faces) {
   return faces;
 }
 
+bool isNamed(const CadFace& face, const std::string& name) {
+  if (face.name == name) return true;
+  return (", " + face.name + ", ").find(", " + name + ", ") != std::string::npos;
+}
+
 bool sameSurface(const CadFace& a, const CadFace& b, double near_mm, double near_rad) {
   if (a.kind != b.kind || a.kind == SurfaceKind::kOther || a.hollow != b.hollow) return false;
   const auto near = [&](double x, double y) { return std::abs(x - y) <= near_mm; };

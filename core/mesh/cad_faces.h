@@ -53,6 +53,9 @@ struct CadFaces {
   }
 };
 
+/// Whether one of a face's names, of which a joined one has several, is that one.
+bool isNamed(const CadFace& face, const std::string& name);
+
 /// Whether two exact faces lie in one surface, to `near_mm` and, by their directions, to `near_rad`.
 bool sameSurface(const CadFace& a, const CadFace& b, double near_mm, double near_rad);
 

@@ -47,6 +47,7 @@ struct NominalSpec {
   double gouge_mm = 0.02;              ///< allowed below nominal, > 0
   double excess_mm = 0.05;             ///< allowed above nominal, > 0
   std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
+  std::vector<LocalTolerance> local;   ///< [[nominal.tolerance]], in their order
   bool features = true;                ///< they are recognised and measured
   GeneralTolerance general;            ///< of their characteristics
   std::vector<CharacteristicRule> characteristics;  ///< [[characteristic]], in their order

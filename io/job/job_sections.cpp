@@ -390,9 +390,9 @@ std::optional<Vec2> readRange(ConfigTable& table, const char* key, const NumberR
   return Vec2(*low, *high);
 }
 
-void readIgnored(ConfigTable& table, NominalSpec& nominal) {
+/// A box or a ring of the table, whichever it has. Nothing, and an error, where it has neither or both.
+std::optional<IgnoredRegion> readRegion(ConfigTable& table, const char* key) {
   IgnoredRegion region;
-  if (const auto name = table.must("name").text("name")) region.name = *name;
   const auto min = table.point("min"), max = table.point("max");
   const auto z = readRange(table, "z", {-1e5, 1e5, false}),
              radius = readRange(table, "radius", {0.0, 1e5, false});
@@ -408,16 +408,44 @@ void readIgnored(ConfigTable& table, NominalSpec& nominal) {
   }
   const bool box = table.find("min") != nullptr && table.find("max") != nullptr;
   const bool round = table.find("z") != nullptr;
-  if (box == round)
-    table.error("name", "job-missing", "a region is given by min and max or by z (and radius)");
+  if (box == round) table.error(key, "job-missing", "a region is given by min and max or by z (and radius)");
   if (box && min && max && (min->array() >= max->array()).any())
     table.error("max", "job-value", "every max must be above its min");
+  return box == round ? std::nullopt : std::optional(region);
+}
+
+void readIgnored(ConfigTable& table, NominalSpec& nominal) {
+  const auto name = table.must("name").text("name");
+  IgnoredRegion region = readRegion(table, "name").value_or(IgnoredRegion{});
+  if (name) region.name = *name;
   for (const IgnoredRegion& other : nominal.ignored) {
     if (other.name == region.name)
       table.error("name", "job-value", fmt::format("there are two regions '{}'", region.name));
   }
   table.refuseOthers();
   nominal.ignored.push_back(std::move(region));
+}
+
+/// Tolerances of some faces, or of a region.
+void readLocalTolerance(ConfigTable& table, NominalSpec& nominal) {
+  LocalTolerance local;
+  static const std::vector<std::string> kKinds = {"plane", "cylinder", "cone", "sphere", "torus", "other"};
+  if (const auto kind = table.choice("kind", kKinds))
+    local.kind = static_cast<SurfaceKind>(std::find(kKinds.begin(), kKinds.end(), *kind) - kKinds.begin());
+  if (const auto face = table.text("face")) local.face = *face;
+  const bool by_face = table.find("kind") != nullptr || table.find("face") != nullptr;
+  bool by_place = false;
+  for (const char* key : {"min", "max", "z", "radius"}) by_place |= table.find(key) != nullptr;
+  if (by_place) local.region = readRegion(table, "gouge");
+  if (!by_face && !by_place)
+    table.error("gouge", "job-missing",
+                "a tolerance of its own is for a kind of face, a face by its name, or a region");
+  local.gouge_mm = table.number("gouge", kPositiveLength).value_or(nominal.gouge_mm);
+  local.excess_mm = table.number("excess", kPositiveLength).value_or(nominal.excess_mm);
+  if (table.find("gouge") == nullptr && table.find("excess") == nullptr)
+    table.error("gouge", "job-missing", "a tolerance of its own has `gouge`, `excess` or both");
+  table.refuseOthers();
+  nominal.local.push_back(std::move(local));
 }
 
 void readNominal(ConfigTable& root, Job& job) {
@@ -432,6 +460,7 @@ void readNominal(ConfigTable& root, Job& job) {
   if (const auto gouge = table->number("gouge", kPositiveLength)) nominal.gouge_mm = *gouge;
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
   for (ConfigTable& region : table->tables("ignore", 1'000)) readIgnored(region, nominal);
+  for (ConfigTable& local : table->tables("tolerance", 1'000)) readLocalTolerance(local, nominal);
   readFeatureKeys(*table, nominal);
   table->refuseOthers();
   job.nominal = std::move(nominal);

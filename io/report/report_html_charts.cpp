@@ -182,7 +182,9 @@ code{font:13px/1.4 ui-monospace,SFMono-Regular,Menlo,Consolas,"DejaVu Sans Mono"
 .line{display:block;color:var(--soft)}
 .tag{display:inline-block;font-size:12px;font-weight:650;border-radius:4px;padding:1px 7px;white-space:nowrap;
 border:1px solid currentColor}
-.tag.error{color:var(--fail)}.tag.warning{color:var(--warn)}.tag.note{color:var(--soft)}
+.tag.error{color:var(--fail)}.tag.warning{color:var(--warn)}.tag.note{color:var(--soft)}.tag.good{color:var(--pass)}
+.use{display:inline-block;width:56px;height:7px;border-radius:4px;background:var(--line);overflow:hidden}
+.use i{display:block;height:7px;background:var(--pass)}.use.over i{background:var(--fail)}
 .share{width:22%;min-width:110px}
 .bar{display:block;height:6px;margin-top:7px;border-radius:3px;background:var(--gouge);min-width:1px}
 .quiet{color:var(--soft);margin:8px 0 0}

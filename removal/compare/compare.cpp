@@ -24,6 +24,7 @@
 #include "removal/compare/features/face_network.h"
 #include "removal/compare/features/measured_features.h"
 #include "removal/compare/features/recognition.h"
+#include "removal/compare/local_tolerance.h"
 #include "removal/compare/measured_sides.h"
 #include "removal/compare/nominal.h"
 #include "removal/compare/point_deviation.h"
@@ -182,6 +183,7 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
   const double level = tolerance + asked.noise;
   const auto undecided = [&](const FoundPatch& found) {
     out.undecided.push_back(found.patch);
+    out.undecided.back().allowed_mm = tolerance;
     out.undecided.back().deciding_resolution_mm = decidingResolution(o, found.patch, tolerance);
   };
   std::vector<FoundPatch> measured =
@@ -195,6 +197,7 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
   for (FoundPatch& found : measured) {
     if (decide(found, asked.nominal, level, o)) {
       out.patches.push_back(found.patch);
+      out.patches.back().allowed_mm = tolerance;
     } else {
       undecided(found);
     }
@@ -202,6 +205,30 @@ void judgeKind(const BothSides& sides, DeviationKind kind, double tolerance, Ask
   for (const FoundPatch& found : findPatches(sides, kind, level, Beyond::kPossible, o.part.get())) {
     if (found.patch.depth_mm <= level) undecided(found);
   }
+}
+
+/// Group by group, where some of the surface has tolerances of its own.
+void judgeSides(const BothSides& sides, Asked& asked, const CompareOptions& o, Comparison& out) {
+  if (o.local.empty()) {
+    judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
+    judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
+    return;
+  }
+  const ToleranceGroups groups = groupSamples(sides, o);
+  for (std::size_t k = 0; k <= o.local.size(); ++k) {
+    const BothSides own = onlyGroup(sides, groups, static_cast<std::uint16_t>(k));
+    judgeKind(own, DeviationKind::kGouge, k == 0 ? o.gouge_mm : o.local[k - 1].gouge_mm, asked, o, out);
+    judgeKind(own, DeviationKind::kExcess, k == 0 ? o.excess_mm : o.local[k - 1].excess_mm, asked, o, out);
+  }
+}
+
+/// Samples are measured as well as the tightest tolerance asks.
+CompareOptions withLeastTolerances(CompareOptions o) {
+  for (const LocalTolerance& local : o.local) {
+    o.gouge_mm = std::min(o.gouge_mm, local.gouge_mm);
+    o.excess_mm = std::min(o.excess_mm, local.excess_mm);
+  }
+  return o;
 }
 
 void sortByDepth(std::vector<DeviationPatch>& patches) {
@@ -264,7 +291,7 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, samples);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, samples);
   const NominalModel& model = *shared_model;
-  BothSides sides = measureSides(part, goal, model, o, progress);
+  BothSides sides = measureSides(part, goal, model, withLeastTolerances(o), progress);
   if (progress.cancelled()) return interrupted;
   sides.motion = &machined.motion;
   sides.model = &model;
@@ -279,9 +306,9 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   // Coordinates come as float: what is within four units in the last place is no deviation.
   const double noise = 4.0 * 1.2e-7 * std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
   Asked asked(machined, model, o, noise);
-  out.largest_bound_mm = largestBound(sides, std::min(o.gouge_mm, o.excess_mm));
-  judgeKind(sides, DeviationKind::kGouge, o.gouge_mm, asked, o, out);
-  judgeKind(sides, DeviationKind::kExcess, o.excess_mm, asked, o, out);
+  const CompareOptions least = withLeastTolerances(o);
+  out.largest_bound_mm = largestBound(sides, std::min(least.gouge_mm, least.excess_mm));
+  judgeSides(sides, asked, o, out);
   if (o.nominal_faces != nullptr && o.measure_features)
     tellFeatures(nominal, goal, *o.nominal_faces, asked.part(), out);
   sortByDepth(out.patches);

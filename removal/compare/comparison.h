@@ -12,6 +12,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,20 @@ struct IgnoredRegion {
   }
 };
 
+/// Tolerances that hold on a part of the surface in place of the general ones: on faces of a kind or a name,
+/// in a region, or both together.
+struct LocalTolerance {
+  std::optional<SurfaceKind> kind;
+  std::string face;  ///< name of a face of the CAD model; empty: any
+  std::optional<IgnoredRegion> region;
+  double gouge_mm = 0.0, excess_mm = 0.0;  ///< >= 0
+};
+
 struct CompareOptions {
-  double gouge_mm = 0.02;      ///< allowed below nominal, >= 0
-  double excess_mm = 0.05;     ///< allowed above nominal, >= 0
-  double resolution_mm = 0.2;  ///< spacing of samples on large triangles of either mesh, > 0
+  double gouge_mm = 0.02;                  ///< allowed below nominal, >= 0
+  double excess_mm = 0.05;                 ///< allowed above nominal, >= 0
+  std::vector<LocalTolerance> local = {};  ///< of several that fit the last one holds; fewer than 65,535
+  double resolution_mm = 0.2;              ///< spacing of samples on large triangles of either mesh, > 0
   /// How far the machined mesh may lie off the machined surface, mm: about resolution^2 / (8 r) on a wall of
   /// radius r. 0: the mesh is taken as exact.
   double uncertainty_mm = 0.0;
@@ -77,6 +88,7 @@ struct DeviationPatch {
   DeviationKind kind = DeviationKind::kGouge;
   Vec3 where = Vec3::Zero();   ///< deepest point, mm
   Vec3 normal = Vec3::Zero();  ///< outward normal of the nominal there, unit
+  double allowed_mm = 0.0;     ///< the tolerance that it is beyond
   double depth_mm = 0.0;       ///< there, from nominal (not from the tolerance), > 0
   double bound_mm = 0.0;  ///< the true depth is within this of it, and nowhere in the patch larger by more
   double chord_mm = 0.0;  ///< share of that bound that the nominal's facets have

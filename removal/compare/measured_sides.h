@@ -5,8 +5,8 @@
 
 #include "core/mesh/signed_distance.h"
 #include "removal/compare/comparison.h"
-#include "removal/compare/shape/nominal_shape.h"
 #include "removal/compare/sample_mesh.h"
+#include "removal/compare/shape/nominal_shape.h"
 
 namespace proveout {
 

@@ -21,6 +21,7 @@ proveout_add_library(compare
   compare/features/recognition.cpp
   compare/features/single_faces.cpp
   compare/join_bodies.cpp
+  compare/local_tolerance.cpp
   compare/measured_sides.cpp
   compare/shape/mesh_facets.cpp
   compare/nominal.cpp

@@ -30,10 +30,6 @@ constexpr double kNotableOff = 0.5;
 /// square.
 constexpr double kCellsInAWidth = 1.5;
 
-double toleranceFor(const DeviationPatch& patch, const Comparison& comparison) {
-  return patch.kind == DeviationKind::kGouge ? comparison.gouge_tolerance_mm : comparison.excess_tolerance_mm;
-}
-
 /// The face of the CAD model that a patch is deepest at; null: none is known.
 const CadFace* faceOf(const DeviationPatch& patch, const Comparison& comparison) {
   return comparison.nominal_faces == nullptr || patch.face == kNoFace
@@ -61,7 +57,7 @@ std::string deviationText(const DeviationPatch& patch, const Comparison& compari
       fmt::format("{} mm {} nominal over {} mm2", figure(patch.depth_mm),
                   patch.kind == DeviationKind::kGouge ? "below" : "above", figure(patch.area_mm2));
   if (patch.spots > 1) text += fmt::format(" in {} spots", patch.spots);
-  text += fmt::format(" (allowed {:g} mm)", toleranceFor(patch, comparison));
+  text += fmt::format(" (allowed {:g} mm)", patch.allowed_mm);
   const CadFace* const face = faceOf(patch, comparison);
   if (face == nullptr) return text;
   if (isMissing(patch, *face))
@@ -104,7 +100,7 @@ double decidingProfile(const Comparison& comparison, double profile_mm) {
   for (const DeviationPatch& patch : comparison.undecided) {
     if (patch.chord_mm > 0.0) continue;  // not the part's facets
     factor = std::min(factor,
-                      kMargin * std::abs(patch.depth_mm - toleranceFor(patch, comparison)) / patch.bound_mm);
+                      kMargin * std::abs(patch.depth_mm - patch.allowed_mm) / patch.bound_mm);
   }
   return factor * profile_mm >= kLeast ? factor * profile_mm : 0.0;
 }
@@ -292,7 +288,7 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
   const std::vector<DeviationPatch>& all = comparison.undecided;
   if (all.empty()) return nullptr;
   const auto most = [&](const DeviationPatch& p) {
-    return p.depth_mm + p.bound_mm - toleranceFor(p, comparison);
+    return p.depth_mm + p.bound_mm - p.allowed_mm;
   };
   const DeviationPatch& worst = *std::max_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });

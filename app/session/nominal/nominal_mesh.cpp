@@ -23,6 +23,23 @@ void addMeshWarnings(const std::vector<std::string>& texts, const std::string& c
 
 namespace {
 
+/// Tolerances for faces that the model does not have are a mistake.
+Status checkLocalTolerances(const NominalSpec& nominal, const CadFaces* faces) {
+  for (const LocalTolerance& local : nominal.local) {
+    if (faces == nullptr && (local.kind || !local.face.empty()))
+      return inputError(nominal.mesh.path +
+                        ": [[nominal.tolerance]] with `kind` or `face` needs a STEP file: the faces of a "
+                        "mesh are not known");
+    if (local.face.empty()) continue;
+    const bool there = std::any_of(faces->faces.begin(), faces->faces.end(),
+                                   [&](const CadFace& face) { return isNamed(face, local.face); });
+    if (!there)
+      return inputError(nominal.mesh.path + ": [[nominal.tolerance]] names a face '" + local.face +
+                        "' that the file does not have");
+  }
+  return Done{};
+}
+
 /// A model of a CAD system: its mesh, with what the faces are exactly.
 Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
   constexpr double kCoarsest = 0.02, kShare = 0.1;  // mm; of the tolerance, for faces that are no exact ones
@@ -40,6 +57,7 @@ Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
   if (!prepared) return prepared;
   CadFaces faces = facesOf(prepared->mesh, body->mesh, std::move(body->faces));
   prepared->faces = std::make_shared<const CadFaces>(joinedFaces(prepared->mesh, std::move(faces)));
+  if (Status known = checkLocalTolerances(nominal, prepared->faces.get()); !known) return known.error();
   prepared->notes.insert(prepared->notes.begin(), body->notes.begin(), body->notes.end());
   return prepared;
 }
@@ -48,6 +66,7 @@ Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
 
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
   if (isStepFile(nominal.mesh.path)) return loadCadNominal(nominal);
+  if (Status known = checkLocalTolerances(nominal, nullptr); !known) return known.error();
   MeshLoadOptions options;
   options.unit = nominal.mesh.unit;
   Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);

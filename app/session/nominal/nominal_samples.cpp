@@ -27,8 +27,8 @@ double shareIn(const Facet& f, const Box3& box) {
   return share;
 }
 
-/// A sequence that fills the unit square evenly (generalized golden ratio; M. Roberts, "The unreasonable effectiveness
-/// of quasirandom sequences", 2018).
+/// A sequence that fills the unit square evenly (generalized golden ratio; M. Roberts, "The unreasonable
+/// effectiveness of quasirandom sequences", 2018).
 Vec2 spread(std::size_t k) {
   constexpr double kGolden = 1.32471795724474602596;
   const double i = static_cast<double>(k) + 0.5;

@@ -80,13 +80,6 @@ bool hasSize(const Feature& feature, double size) {
                      });
 }
 
-/// Whether one of the names of a face, which may be several, is that one.
-bool isNamed(const CadFace& face, const std::string& name) {
-  if (face.name == name) return true;
-  const std::string list = ", " + face.name + ", ";
-  return list.find(", " + name + ", ") != std::string::npos;
-}
-
 class Matcher {
  public:
   Matcher(const std::vector<Feature>& features, const CadFaces& faces, const CharacteristicRule& rule)

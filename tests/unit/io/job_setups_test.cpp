@@ -32,7 +32,8 @@ TEST_F(JobSetups, LieWhereTheirPlacementSays) {
   const auto job = folder.load(withSetups("[placement]\norigin = [1, 2, 3]\nrotation = 5\n" + kTwo +
                                           "[setup.placement]\norigin = [4, 5, 6]\n"));
   ASSERT_TRUE(job.has_value()) << folder.text();
-  const WorkpiecePlacement top = jobOfSetup(*job, 0).settings.placement, back = jobOfSetup(*job, 1).settings.placement;
+  const WorkpiecePlacement top = jobOfSetup(*job, 0).settings.placement,
+                           back = jobOfSetup(*job, 1).settings.placement;
   EXPECT_EQ(top.origin, Vec3(1, 2, 3));
   EXPECT_EQ(top.rotation_deg, 5.0);
   EXPECT_EQ(back.origin, Vec3(4, 5, 6));
@@ -146,7 +147,8 @@ TEST(CuttingLimits, OfTheMachineAndOfTools) {
   const std::string tool = "teeth = 4\nmax_feed_per_tooth = 0.1\nmax_rpm = 9000\n";
   Diagnostics diagnostics;
   const std::string machine = "[machine]\nmax_feed = 1000\nmax_rpm = 8000\n";
-  const auto job = parseJob(kSmallJob + tool + machine, "job.toml", folder.path(""), folder.names, diagnostics);
+  const auto job =
+      parseJob(kSmallJob + tool + machine, "job.toml", folder.path(""), folder.names, diagnostics);
   ASSERT_TRUE(job);
   EXPECT_EQ(job->limits.max_feed, 1000);
   EXPECT_EQ(job->limits.max_rpm, 8000);
@@ -154,8 +156,8 @@ TEST(CuttingLimits, OfTheMachineAndOfTools) {
   EXPECT_EQ(limits.teeth, 4);
   EXPECT_EQ(limits.max_feed_per_tooth, 0.1);
   EXPECT_EQ(limits.max_rpm, 9000);
-  for (const char* wrong : {"max_feed_per_tooth = 0.1\n", "teeth = 0\n", "max_rpm = 0\n", "[machine]\nmax_feed = -3\n",
-                            "[machine]\nmax_rpm = 0\n"}) {
+  for (const char* wrong : {"max_feed_per_tooth = 0.1\n", "teeth = 0\n", "max_rpm = 0\n",
+                            "[machine]\nmax_feed = -3\n", "[machine]\nmax_rpm = 0\n"}) {
     Diagnostics errors;
     EXPECT_FALSE(parseJob(kSmallJob + wrong, "job.toml", folder.path(""), folder.names, errors)) << wrong;
   }

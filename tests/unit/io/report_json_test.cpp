@@ -101,7 +101,11 @@ TEST(ReportJson, HasTheFeaturesOfACadModel) {
   const Json& features = j["comparison"]["features"];
   ASSERT_EQ(features.size(), 2u);
   EXPECT_EQ(features[0]["characteristics"][0]["name"], "diameter");
-  EXPECT_NEAR(features[0]["characteristics"][0]["deviation_mm"].get<double>(), 0.02, 1e-9);
+  EXPECT_NEAR(features[0]["characteristics"][0]["deviation"].get<double>(), 0.02, 1e-9);
+  EXPECT_EQ(features[0]["id"], "F1");
+  EXPECT_EQ(features[0]["characteristics"][0]["verdict"], "fail");
+  EXPECT_EQ(features[0]["characteristics"][0]["upper"], 0.015);
+  EXPECT_FALSE(features[0]["characteristics"][1].contains("lower"));
   EXPECT_TRUE(features[1]["missing"].get<bool>());
   EXPECT_EQ(j["findings"][0]["feature"], "hole of diameter 8 at X20.000 Y5.000");
 }

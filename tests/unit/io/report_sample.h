@@ -9,8 +9,22 @@ namespace proveout::io_test {
 
 /// Features of a CAD model: a hole as it was machined, and one that is missing.
 inline std::vector<ReportFeature> sampleFeatures() {
-  return {{"hole of diameter 8 at X20.000 Y5.000", false, {{"diameter", 8.0, 8.02}, {"position", 0.0, 0.01}}},
-          {"<slot>", true, {}}};
+  ReportCharacteristic diameter, position;
+  diameter.name = "diameter";
+  diameter.label = "seat <H7>";
+  diameter.nominal = 8.0;
+  diameter.measured = 8.02;
+  diameter.lower = 0.0;
+  diameter.upper = 0.015;
+  diameter.tolerance = "job";
+  diameter.verdict = "fail";
+  position.name = "position";
+  position.measured = 0.01;
+  position.upper = 0.04;
+  position.tolerance = "surface";
+  position.verdict = "pass";
+  return {{"F1", "hole", "hole of diameter 8 at X20.000 Y5.000", Vec3(20, 5, 0), false, {diameter, position}},
+          {"F2", "slot", "<slot>", Vec3(1, 2, 3), true, {}}};
 }
 
 inline Report sampleReport() {

@@ -28,8 +28,8 @@ class StepJob : public testing::Test {
         "schema = \"proveout.job/1\"\ncontrol = \"nct\"\nprogram = \"part.nc\"\n[stock]\nshape = "
         "\"mesh\"\n{}\n"
         "[[tool]]\nnumber = 1\ntype = \"flat\"\ndiameter = 10\n[[tool]]\nnumber = 2\ntype = \"flat\"\n"
-        "diameter = 6\nflute_length = 20\n[nominal]\n{}\n[simulation]\nresolution = 0.5\n",
-        stock, nominal);
+        "diameter = 6\nflute_length = 20\n[nominal]\n{}\n{}\n[simulation]\nresolution = 0.5\n",
+        stock, nominal, extra_);
     return parseJob(text, folder_.path("job.toml"), folder_.path(), names, diagnostics_);
   }
   /// The pocket is cut with a circle of that radius about its middle.
@@ -56,6 +56,7 @@ class StepJob : public testing::Test {
   }
   io_test::TempFolder folder_;
   Diagnostics diagnostics_;
+  std::string extra_;  ///< behind [nominal]
 };
 
 TEST_F(StepJob, TheRightProgramPasses) {
@@ -68,7 +69,8 @@ TEST_F(StepJob, TheRightProgramPasses) {
   EXPECT_GE(result->comparison->features.size(), 7u);
   for (const Feature& feature : result->comparison->features)
     for (const Characteristic& c : feature.characteristics)
-      EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 2e-4) << feature.name << " " << quantityName(c.quantity);
+      EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 2e-4)
+          << feature.name << " " << quantityName(c.quantity);
   for (const FaceFit& fit : result->comparison->face_fits) {
     const CadFace& face = result->comparison->nominal_faces->faces[fit.face];
     EXPECT_EQ(fit.missed, 0u) << describe(face);
@@ -89,6 +91,42 @@ TEST_F(StepJob, AWrongRadiusIsToldToTheMicrometre) {
   EXPECT_LT(patch.bound_mm, 1e-3);
   EXPECT_EQ(patch.chord_mm, 0.0);
   EXPECT_THAT(featureOf(*result, FindingKind::kGouge), HasSubstr("hole of diameter 16 at X20.000 Y20.000"));
+}
+
+TEST_F(StepJob, FacesMayHaveTolerancesOfTheirOwn) {
+  // 0.05 too large: let pass on cylinders alone, in a region alone, and not elsewhere.
+  for (const char* where : {"kind = \"cylinder\"", "min = [5, 5, 5]\nmax = [35, 35, 11]"}) {
+    extra_ = fmt::format("[[nominal.tolerance]]\n{}\ngouge = 0.06\n", where);
+    const Result<RunResult> result = run(3.05);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->comparison->pass()) << where;
+  }
+  extra_ = "[[nominal.tolerance]]\nkind = \"plane\"\ngouge = 0.06\n";
+  EXPECT_FALSE(run(3.05)->comparison->pass());
+  // And tighter than elsewhere.
+  extra_ = "[[nominal.tolerance]]\nkind = \"cylinder\"\ngouge = 0.004\n";
+  const Result<RunResult> tight = run(3.005);
+  ASSERT_EQ(tight->comparison->patches.size(), 1u);
+  EXPECT_EQ(tight->comparison->patches.front().allowed_mm, 0.004);
+  extra_ = "[[nominal.tolerance]]\nface = \"nowhere\"\ngouge = 0.004\n";
+  const Result<RunResult> wrong = run(3.0);
+  ASSERT_FALSE(wrong);
+  EXPECT_THAT(wrong.error().message, HasSubstr("a face 'nowhere' that the file does not have"));
+}
+
+TEST_F(StepJob, CharacteristicsOfTheJobFailWithTheBlockToBlame) {
+  extra_ =
+      "[[characteristic]]\nname = \"seat\"\nat = [20, 20, 8]\nfeature = \"hole\"\nwhat = \"diameter\"\n"
+      "tolerance = 0.004\n";
+  const Result<RunResult> result = run(3.005);
+  ASSERT_TRUE(result) << result.error().message;
+  ASSERT_EQ(result->findings.size(), 1u);
+  const Finding& finding = result->findings.front();
+  EXPECT_EQ(finding.kind, FindingKind::kCharacteristic);
+  EXPECT_THAT(finding.message, HasSubstr("+0.0100 off 16 (allowed -0.004 to +0.004, seat)"));
+  EXPECT_NEAR(*finding.depth_mm, 0.01, 1e-4);
+  ASSERT_TRUE(finding.source.has_value());
+  EXPECT_EQ(finding.source->block, 6);
 }
 
 TEST_F(StepJob, AMissingHoleIsToldAsOne) {
