@@ -1,5 +1,7 @@
 #include "removal/compare/local_tolerance.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/base/parallel_for.h"
@@ -7,10 +9,10 @@
 namespace proveout {
 namespace {
 
-/// Which of the nominal's triangles each tolerance holds on; regions are asked point by point.
-class TriangleGroups {
+/// The tolerances that hold on each face; regions are asked point by point.
+class FaceGroups {
  public:
-  explicit TriangleGroups(const CompareOptions& options) : o_(options) {
+  explicit FaceGroups(const CompareOptions& options) : o_(options) {
     if (o_.nominal_faces == nullptr) return;
     for (const CadFace& face : o_.nominal_faces->faces) {
       std::vector<bool>& own = fits_.emplace_back();
@@ -20,9 +22,26 @@ class TriangleGroups {
     }
   }
 
-  std::uint16_t at(std::uint32_t triangle, const Vec3& p) const {
-    const std::uint32_t face =
-        o_.nominal_faces == nullptr ? kNoFace : o_.nominal_faces->of_triangle[triangle];
+  std::uint32_t faceOf(std::uint32_t triangle) const {
+    return o_.nominal_faces == nullptr ? kNoFace : o_.nominal_faces->of_triangle[triangle];
+  }
+
+  /// Of several faces that meet at an edge the one that the deviation is across.
+  std::uint32_t across(const std::vector<std::uint32_t>& faces, const Vec3& p, const Vec3& direction) const {
+    std::uint32_t best = faces.empty() ? kNoFace : faces.front();
+    double most = -1.0;
+    for (const std::uint32_t f : faces) {
+      const CadFace& face = o_.nominal_faces->faces[f];
+      if (face.kind == SurfaceKind::kOther) continue;
+      const double along = std::abs(face.normalAt(p).dot(direction));
+      if (along <= most + kTie) continue;
+      most = along;
+      best = f;
+    }
+    return best;
+  }
+
+  std::uint16_t at(std::uint32_t face, const Vec3& p) const {
     for (std::size_t k = o_.local.size(); k-- > 0;) {
       const LocalTolerance& local = o_.local[k];
       const bool by_face = local.kind || !local.face.empty();
@@ -34,9 +53,36 @@ class TriangleGroups {
   }
 
  private:
+  static constexpr double kTie = 1e-6;
   const CompareOptions& o_;
   std::vector<std::vector<bool>> fits_;  ///< by face and tolerance
 };
+
+void addOnce(std::vector<std::uint32_t>& list, std::uint32_t face) {
+  if (face != kNoFace && std::find(list.begin(), list.end(), face) == list.end()) list.push_back(face);
+}
+
+/// The faces at each sample of the nominal: several on edges.
+std::vector<std::vector<std::uint32_t>> facesAt(const SampleMesh& goal, const FaceGroups& of) {
+  std::vector<std::vector<std::uint32_t>> out(goal.surface.points.size());
+  for (std::size_t t = 0; t < goal.surface.triangles.size(); ++t)
+    for (const std::uint32_t corner : goal.surface.triangles[t])
+      addOnce(out[corner], of.faceOf(goal.parent[t]));
+  return out;
+}
+
+/// The faces at the corners of each of the nominal's triangles: where a point is nearest to an edge of one,
+/// the face on its other side is among them.
+std::vector<std::vector<std::uint32_t>> facesBeside(const SampleMesh& goal, std::size_t triangles,
+                                                    const std::vector<std::vector<std::uint32_t>>& at,
+                                                    const FaceGroups& of) {
+  std::vector<std::vector<std::uint32_t>> out(triangles);
+  for (std::uint32_t t = 0; t < triangles; ++t) addOnce(out[t], of.faceOf(t));
+  for (std::size_t t = 0; t < goal.surface.triangles.size(); ++t)
+    for (const std::uint32_t corner : goal.surface.triangles[t])
+      for (const std::uint32_t face : at[corner]) addOnce(out[goal.parent[t]], face);
+  return out;
+}
 
 void leaveOut(const std::vector<std::uint16_t>& groups, std::uint16_t group, SampledSide& side) {
   for (std::size_t i = 0; i < side.deviation.size(); ++i)
@@ -46,23 +92,27 @@ void leaveOut(const std::vector<std::uint16_t>& groups, std::uint16_t group, Sam
 }  // namespace
 
 ToleranceGroups groupSamples(const BothSides& sides, const CompareOptions& options) {
-  const TriangleGroups of(options);
-  ToleranceGroups out;
-  out.machined.resize(sides.machined.deviation.size());
-  const std::vector<Vec3>& machined = sides.machined.mesh->surface.points;
-  parallelFor(std::size_t{0}, out.machined.size(),
-              [&](std::size_t i) { out.machined[i] = of.at(sides.machined.opposite[i], machined[i]); });
-  // A sample of the nominal is on several triangles: the first one's face has it, so that an edge is of one.
+  const FaceGroups of(options);
   const SampleMesh& goal = *sides.nominal.mesh;
+  ToleranceGroups out;
   out.nominal.resize(goal.surface.points.size());
-  std::vector<bool> known(out.nominal.size(), false);
-  for (std::size_t t = 0; t < goal.surface.triangles.size(); ++t) {
-    for (const std::uint32_t corner : goal.surface.triangles[t]) {
-      if (known[corner]) continue;
-      known[corner] = true;
-      out.nominal[corner] = of.at(goal.parent[t], goal.surface.points[corner]);
-    }
-  }
+  const std::vector<std::vector<std::uint32_t>> at = facesAt(goal, of);
+  parallelFor(std::size_t{0}, out.nominal.size(), [&](std::size_t i) {
+    const Vec3& p = goal.surface.points[i];
+    out.nominal[i] = of.at(of.across(at[i], p, sides.nominal.gradient[i].cast<double>()), p);
+  });
+  std::uint32_t triangles = 0;
+  for (const std::uint32_t parent : goal.parent) triangles = std::max(triangles, parent + 1);
+  const std::vector<std::vector<std::uint32_t>> beside = facesBeside(goal, triangles, at, of);
+  const std::vector<Vec3>& machined = sides.machined.mesh->surface.points;
+  out.machined.resize(machined.size());
+  parallelFor(std::size_t{0}, out.machined.size(), [&](std::size_t i) {
+    const Vec3& p = machined[i];
+    const std::uint32_t nearest = sides.machined.opposite[i];
+    // Off an edge the direction to it is none of a face's; off a face it is that of its normal.
+    const std::uint32_t face = of.across(beside[nearest], p, sides.machined.gradient[i].cast<double>());
+    out.machined[i] = of.at(face, p);
+  });
   return out;
 }
 

@@ -30,7 +30,8 @@ TEST(FindingKinds, HaveTheNamesOfTheSchema) {
     all += std::string(info.name) + " " + std::string(severityName(info.severity)) + "\n";
   EXPECT_EQ(
       all,
-      "gouge error\nexcess error\nundecided warning\nrapid_contact error\nshank_contact error\n"
+      "gouge error\nexcess error\nundecided warning\ncharacteristic error\nrapid_contact "
+      "error\nshank_contact error\n"
       "holder_contact error\nfixture_contact error\nspindle_off error\nspindle_direction error\n"
       "insert_contact error\naxis_crossing error\ncut_off_piece error\nthreading error\nwire_supply error\n"
       "free_slug warning\nstuck_slug warning\nbridge warning\nnose_deviation warning\ntool_data "
@@ -65,7 +66,7 @@ TEST(FindingKinds, OnlyDeviationsAreMeasuredAgainstNominal) {
   for (const FindingKindInfo& info : findingKinds()) {
     if (isDeviation(info.kind)) names.insert(info.name);
   }
-  EXPECT_EQ(names, (std::set<std::string_view>{"gouge", "excess", "undecided"}));
+  EXPECT_EQ(names, (std::set<std::string_view>{"gouge", "excess", "undecided", "characteristic"}));
 }
 
 TEST(FindingKinds, FailTheTestCaseOfTheirCheck) {
