@@ -11,6 +11,7 @@
 #include "app/deviation/shaded_vertices.h"
 #include "app/deviation/surface_blocks.h"
 #include "app/job_setup.h"
+#include "app/session/findings/feature_table.h"
 #include "core/base/memory.h"
 #include "core/base/parallel_for.h"
 #include "io/exchange/deviation_mesh.h"
@@ -113,7 +114,7 @@ Result<std::string> writePoints(const DeviationMesh& mesh, const Comparison& com
     row.tolerance_mm = row.deviation_mm > 0.0 ? mesh.excess_mm : mesh.gouge_mm;
     if (face != kNoFace && comparison.nominal_faces != nullptr) {
       const auto [place, is_new] = features.try_emplace(face);
-      if (is_new) place->second = describe(comparison.nominal_faces->faces[face]);
+      if (is_new) place->second = featureAt(face, comparison);
       row.feature = place->second;
     }
     setBlock(mesh, vertex, row);

@@ -84,6 +84,13 @@ std::string ruleText(const CharacteristicRule& rule) {
 
 }  // namespace
 
+std::string featureAt(std::uint32_t face, const Comparison& comparison) {
+  for (const Feature& feature : comparison.features)
+    if (std::find(feature.faces.begin(), feature.faces.end(), face) != feature.faces.end())
+      return feature.name;
+  return describe(comparison.nominal_faces->faces[face]);
+}
+
 std::vector<ReportFeature> featureTable(const Comparison& comparison, const FeatureTolerances& tolerances) {
   std::vector<ReportFeature> out;
   if (comparison.features.empty()) return out;

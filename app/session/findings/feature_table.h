@@ -1,6 +1,7 @@
 // The features of the nominal as the report tells them, and what is wrong with them as findings.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "io/report.h"
@@ -8,6 +9,9 @@
 #include "removal/compare/features/judgement.h"
 
 namespace proveout {
+
+/// The feature that a face of `nominal_faces` belongs to, for people; where none is recognised the face.
+std::string featureAt(std::uint32_t face, const Comparison& comparison);
 
 /// A row for each feature of the nominal with its characteristics and verdicts. Empty where none were
 /// recognised.

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/session/findings/blame.h"
+#include "app/session/findings/feature_table.h"
 #include "core/geometry/place_text.h"
 #include "io/report_text.h"
 
@@ -35,14 +36,6 @@ const CadFace* faceOf(const DeviationPatch& patch, const Comparison& comparison)
   return comparison.nominal_faces == nullptr || patch.face == kNoFace
              ? nullptr
              : &comparison.nominal_faces->faces[patch.face];
-}
-
-/// The feature that a face belongs to, for people; where none is recognised the face.
-std::string featureAt(std::uint32_t face, const Comparison& comparison) {
-  for (const Feature& feature : comparison.features)
-    if (std::find(feature.faces.begin(), feature.faces.end(), face) != feature.faces.end())
-      return feature.name;
-  return describe(comparison.nominal_faces->faces[face]);
 }
 
 /// Whether a patch is a hole that is not there: material up to its middle.
@@ -99,8 +92,7 @@ double decidingProfile(const Comparison& comparison, double profile_mm) {
   double factor = kMargin;
   for (const DeviationPatch& patch : comparison.undecided) {
     if (patch.chord_mm > 0.0) continue;  // not the part's facets
-    factor = std::min(factor,
-                      kMargin * std::abs(patch.depth_mm - patch.allowed_mm) / patch.bound_mm);
+    factor = std::min(factor, kMargin * std::abs(patch.depth_mm - patch.allowed_mm) / patch.bound_mm);
   }
   return factor * profile_mm >= kLeast ? factor * profile_mm : 0.0;
 }
@@ -287,9 +279,7 @@ const DeviationPatch* addUndecided(const Comparison& comparison, std::vector<Fin
                                    double profile_mm) {
   const std::vector<DeviationPatch>& all = comparison.undecided;
   if (all.empty()) return nullptr;
-  const auto most = [&](const DeviationPatch& p) {
-    return p.depth_mm + p.bound_mm - p.allowed_mm;
-  };
+  const auto most = [&](const DeviationPatch& p) { return p.depth_mm + p.bound_mm - p.allowed_mm; };
   const DeviationPatch& worst = *std::max_element(
       all.begin(), all.end(), [&](const auto& a, const auto& b) { return most(a) < most(b); });
   Finding finding = patchFinding(FindingKind::kUndecided, worst, comparison);
