@@ -213,7 +213,7 @@ class Page {
   void setups() {
     if (r_.setups.empty()) return;
     out_ +=
-        "<section>\n<h2>Setups</h2>\n<div class=\"wide\"><table "
+        "<section>\n<h2>Setups</h2>\n<div class=\"wide\" tabindex=\"0\"><table "
         "class=\"stack\"><thead><tr><th>Setup</th><th>Program</th><th class=\"num\">Time</th><th "
         "class=\"num\">Motions</th><th class=\"num\">Removed mm³</th><th class=\"num\">Left "
         "mm³</th></tr></thead><tbody>\n";
@@ -235,7 +235,7 @@ class Page {
     const char *const section = wires ? "Section mm²" : "Engagement mm²", *const speed =
                                                                               wires ? "Cutting rate mm²/min"
                                                                                     : "Rate mm³/min";
-    add("<section>\n<h2>{0}s</h2>\n<div class=\"wide\"><table "
+    add("<section>\n<h2>{0}s</h2>\n<div class=\"wide\" tabindex=\"0\"><table "
         "class=\"stack\"><thead><tr><th>{0}</th><th>Shape</th>"
         "<th class=\"num\">Cutting</th><th class=\"num\">Rapid</th><th class=\"num\">Motions</th>"
         "<th class=\"num\">In air</th><th class=\"num\">Removed mm³</th><th class=\"num\">{1}</th>"
@@ -304,7 +304,7 @@ class Page {
 
   void bodies(const ReportStock& s) {
     out_ +=
-        "<div class=\"wide\"><table><thead><tr><th>Body</th><th class=\"num\">Volume mm³</th><th "
+        "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>Body</th><th class=\"num\">Volume mm³</th><th "
         "class=\"num\">From "
         "(mm)</th><th class=\"num\">To (mm)</th></tr></thead><tbody>\n";
     const auto corner = [](const Vec3& p) {

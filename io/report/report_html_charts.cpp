@@ -223,6 +223,7 @@ tr[id] a,figcaption a{display:inline-block;min-width:24px;min-height:24px;line-h
 .verdict.fail{background:#b42318}.tag.error{color:var(--fail)}}
 @media (max-width:720px){
 main{padding:12px 10px 32px}h1{font-size:22px}section{padding:12px}.cards{padding:0}.card{flex-basis:128px;padding:10px 12px}.card b{font-size:18px}
+.share{min-width:50px}th{white-space:normal}th,td{padding-right:10px}
 .stack thead{display:none}.stack tr{display:block;border-bottom:1px solid var(--line);padding:8px 0}
 .stack tr:last-child{border-bottom:0}
 .stack td{display:flex;justify-content:space-between;gap:14px;border:0;padding:2px 0;text-align:right}

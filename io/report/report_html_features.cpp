@@ -91,7 +91,7 @@ std::string featureTable(const std::vector<ReportFeature>& features, std::size_t
     rows.resize(most_rows);
   }
   std::string out = fmt::format(
-      "<section>\n<h2>Features ({}; {} of {} characteristics failed)</h2>\n<div class=\"wide\"><table "
+      "<section>\n<h2>Features ({}; {} of {} characteristics failed)</h2>\n<div class=\"wide\" tabindex=\"0\"><table "
       "class=\"stack features\"><thead><tr><th>Feature</th><th>Characteristic</th><th class=\"num\">Nominal "
       "mm</th><th class=\"num\">Tolerance</th><th class=\"num\">Simulated mm</th><th class=\"num\">Deviation "
       "mm</th><th>Of tolerance</th><th>Verdict</th></tr></thead><tbody>\n",

@@ -27,7 +27,7 @@ class Findings {
       return std::move(out_);
     }
     out_ +=
-        "<div class=\"wide\"><table class=\"stack\"><thead><tr><th "
+        "<div class=\"wide\" tabindex=\"0\"><table class=\"stack\"><thead><tr><th "
         "class=\"num\">#</th><th>Kind</th><th>Program line</th>"
         "<th class=\"num\">Tool</th><th class=\"num\">x, y, z (mm)</th><th class=\"num\">Depth mm</th>"
         "<th class=\"num\">Area mm²</th><th class=\"num\">Volume "

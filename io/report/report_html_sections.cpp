@@ -89,7 +89,7 @@ std::string bandsSection(const std::vector<DeviationBand>& bands) {
   std::string out =
       "<section>\n<h2>Bands of deviation</h2>\n<table><thead><tr><th>Deviation mm</th><th class=\"num\">Area "
       "mm²</th><th "
-      "class=\"num\">Share of the part's surface</th><th class=\"share\">Share</th></tr></thead><tbody>\n";
+      "class=\"num\">Share</th><th class=\"share\">of the part's surface</th></tr></thead><tbody>\n";
   for (const DeviationBand& band : std::vector<DeviationBand>(bands.rbegin(), bands.rend())) {
     out += fmt::format(
         "<tr><td><i class=\"swatch\" style=\"background:{0}\"></i>{1}</td><td class=\"num\">{2}</td><td "
