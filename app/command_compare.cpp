@@ -111,7 +111,8 @@ Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair&
   settings.resolution_mm = options.resolution_mm;
   settings.threads = options.threads.value_or(0);
   settings.nominal_faces = pair.nominal.faces;
-  settings.measure_features = pair.spec.features;
+  settings.measure_features = pair.spec.measuresFeatures();
+  settings.find_features = pair.spec.findsFeatures();
   Result<Comparison> comparison = compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
   if (!comparison) return comparison.error();
   result.comparison = std::move(*comparison);

@@ -15,6 +15,7 @@
 #include "core/mesh/mesh_placement.h"
 #include "io/acceptance.h"
 #include "io/finding_kind.h"
+#include "io/report/setup_sheet.h"
 #include "io/report_wish.h"
 #include "io/verdict.h"
 #include "removal/process/stock_body.h"
@@ -200,6 +201,7 @@ struct ReportCharacteristic {
   double nominal = 0.0;
   std::optional<double> measured;      ///< none: the part has too little of the feature
   std::optional<double> lower, upper;  ///< allowed deviations from nominal; none: no limit
+  std::optional<Vec3> where;           ///< of the part as a whole: where it is met
   std::string tolerance;               ///< where they are from: "job", "ISO 2768-m", "surface"; empty: none
   std::string verdict;                 ///< "pass", "fail"; empty: there is no tolerance
 };
@@ -212,6 +214,25 @@ struct ReportFeature {
   Vec3 at = Vec3::Zero();
   bool missing = false;  ///< the part has no surface near most of it
   std::vector<ReportCharacteristic> characteristics;
+};
+
+/// How the nominal was brought to the part: `align` of the job.
+struct ReportAlignment {
+  std::string kind;                               ///< "fit", "datums"
+  std::array<std::array<double, 4>, 3> matrix{};  ///< rows: takes a point of the placed nominal onto the part
+  double rms_mm = 0.0, moved_mm = 0.0, turned_deg = 0.0;
+  std::uint64_t points = 0, left_out = 0;
+  int free_directions = 0;  ///< that the surface does not settle
+};
+
+/// A scan that was compared one-sided: only what was scanned is judged.
+struct ReportScan {
+  std::string file;
+  bool mesh = false;         ///< it has triangles; else points alone
+  std::uint64_t points = 0;  ///< that were compared
+  std::uint64_t off = 0;     ///< too far from the nominal to be of the part
+  double coverage = 0.0;     ///< share of the nominal's surface near which there are points, 0..1
+  double reach_mm = 0.0;     ///< what is near
 };
 
 /// Deviations of the part from nominal, positive outside (excess), negative inside (gouge).
@@ -228,6 +249,9 @@ struct ReportComparison {
   bool decided = true;                           ///< false: the grid is too coarse for these tolerances
   std::optional<double> deciding_resolution_mm;  ///< grid that would decide it
   std::vector<ReportFeature> features;           ///< of the nominal, as they are recognised
+  bool features_found = false;                   ///< in facets, not told by a CAD model
+  std::optional<ReportAlignment> alignment;
+  std::optional<ReportScan> scan;
 };
 
 /// One contribution to the error of the figures.
@@ -304,6 +328,8 @@ struct Report {
       profile_svg;  ///< half section of a turned part for report.html (ProfileChart::page); empty: none
   double resolution_mm = 0.0;
   std::vector<Finding> findings;
+  std::vector<ReportCharacteristic> part_characteristics;  ///< of the part as a whole
+  std::vector<SetupSheet> sheets;                          ///< one a clamping; for report.html
   ReportAcceptance acceptance;
   std::optional<ReportComparison> comparison;
   std::vector<ErrorTerm> error_budget;

@@ -125,7 +125,8 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.ignored = job.nominal->ignored;
   options.nominal_faces = nominal.faces;
   options.local = job.nominal->local;
-  options.measure_features = job.nominal->features;
+  options.measure_features = job.nominal->measuresFeatures();
+  options.find_features = job.nominal->findsFeatures();
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();

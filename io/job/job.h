@@ -26,6 +26,7 @@
 #include "io/report_wish.h"
 #include "removal/compare/compare.h"
 #include "removal/compare/features/judgement.h"
+#include "removal/compare/fit/alignment.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
 
@@ -48,11 +49,17 @@ struct NominalSpec {
   double excess_mm = 0.05;             ///< allowed above nominal, > 0
   std::vector<IgnoredRegion> ignored;  ///< not compared; names differ and are not empty
   std::vector<LocalTolerance> local;   ///< [[nominal.tolerance]], in their order
-  bool features = true;                ///< they are recognised and measured
-  GeneralTolerance general;            ///< of their characteristics
+  /// Whether they are recognised and measured. None: those of a CAD model are, those of facets where
+  /// something of the job asks for them.
+  std::optional<bool> features;
+  AlignWish align;                                  ///< `align`
+  GeneralTolerance general;                         ///< of their characteristics
   std::vector<CharacteristicRule> characteristics;  ///< [[characteristic]], in their order
 
   FeatureTolerances featureTolerances() const { return {gouge_mm, excess_mm, general, characteristics}; }
+  bool measuresFeatures() const { return features.value_or(true); }
+  /// Whether faces are looked for in a nominal of facets, which takes its time.
+  bool findsFeatures() const { return features.value_or(!general.none() || !characteristics.empty()); }
 };
 
 /// What a command may take where nobody says more, s: programs that do not end are told, and nobody waits all
@@ -179,6 +186,8 @@ struct Job {
   std::vector<StartHole> start_holes;  ///< in the stock, its frame; for controls that cut with a wire
   std::optional<Vec3> part_point;  ///< in the part, of which bodies there may be several; frame of the stock
   std::optional<NominalSpec> nominal;
+  /// [[characteristic]] of the part as a whole (see isOfPart), in their order; they need no nominal.
+  std::vector<CharacteristicRule> part_characteristics;
   std::vector<FixtureSpec> fixtures;  ///< of a job without setups
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file
   CuttingLimits limits;               ///< of the machine and of `tools`

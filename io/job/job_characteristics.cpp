@@ -94,7 +94,7 @@ void readCharacteristics(ConfigTable& root, Job& job) {
       table.error("what", "job-missing", "characteristics are of the nominal: the job has no [nominal]");
       return;
     }
-    if (!job.nominal->features) {
+    if (!job.nominal->measuresFeatures()) {
       table.error("what", "job-value", "`features = false` in [nominal] leaves no characteristics");
       return;
     }

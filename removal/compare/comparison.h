@@ -65,6 +65,8 @@ struct CompareOptions {
   std::shared_ptr<const CadFaces> nominal_faces = {};
   /// Whether the features of the nominal are measured on the part.
   bool measure_features = true;
+  /// Whether faces are looked for in the facets of the nominal where no CAD model tells them.
+  bool find_features = false;
   /// How near to each other, mm, spots of two makers are one finding; below 0: never. Spots of one motion are
   /// one anyway. Empty: what is two samples apart is one.
   std::function<double(const SurfaceMaker&, const SurfaceMaker&)> spot_gap = {};
@@ -131,7 +133,8 @@ struct DeviationFigures {
 
 struct Comparison {
   double gouge_tolerance_mm = 0.0, excess_tolerance_mm = 0.0;
-  std::shared_ptr<const CadFaces> nominal_faces;  ///< those of the options
+  std::shared_ptr<const CadFaces> nominal_faces;  ///< those of the options, or as they were found
+  bool faces_found = false;                       ///< in facets: exact to the chord of these alone
   std::vector<FaceFit> face_fits;                 ///< of the exact ones of these, in their order
   std::vector<Feature> features;                  ///< that these faces make, as they were machined
   std::vector<DeviationPatch> patches;    ///< beyond tolerance by more than their bound; deepest first

@@ -17,6 +17,7 @@ proveout_add_library(compare
   compare/features/hole_finder.cpp
   compare/features/judgement.cpp
   compare/features/measured_features.cpp
+  compare/part/part_feature.cpp
   compare/features/pocket_finder.cpp
   compare/features/recognition.cpp
   compare/features/single_faces.cpp

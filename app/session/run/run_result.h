@@ -12,6 +12,8 @@
 #include "io/job/job.h"
 #include "io/report.h"
 #include "removal/compare/compare.h"
+#include "removal/compare/fit/alignment.h"
+#include "removal/compare/part/part_feature.h"
 #include "removal/grid/stock.h"
 #include "removal/process/part_form.h"
 
@@ -49,6 +51,8 @@ struct RunResult {
   double resolution_mm = 0.0;
   std::optional<Stock> stock;  ///< after the last clamping; of turned parts only where a grid was needed
   std::optional<Comparison> comparison;
+  std::optional<Alignment> alignment;      ///< of the nominal, where the job asks for one
+  std::vector<PartFeature> part_features;  ///< [[characteristic]] of the part as a whole, as measured
   std::vector<Finding> findings;
   std::optional<TriMesh> nominal;  ///< as it was compared; none where nothing is left of the part
   Prediction prediction;           ///< its time is that of this machine

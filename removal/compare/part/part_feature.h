@@ -1,0 +1,23 @@
+// Characteristics of a part as a whole, which need no nominal.
+#pragma once
+
+#include "core/geometry/types.h"
+#include "removal/compare/exact_part.h"
+#include "removal/compare/features/feature.h"
+
+namespace proveout {
+
+/// Whether a quantity is of the part as a whole: its least wall, its least inner radius, the blank's surface
+/// that is left, crests between passes, roughness.
+bool isOfPart(Quantity quantity);
+
+/// One of them, as the machined part has it. Units as Quantity says.
+struct PartFeature {
+  Quantity quantity = Quantity::kThickness;
+  std::optional<double> measured;  ///< none: the part has nothing of the kind
+  double bound = 0.0;              ///< the true value is within this of it, about
+  Vec3 where = Vec3::Zero();       ///< where it is met
+  SurfaceMaker maker;              ///< of the surface there
+};
+
+}  // namespace proveout
