@@ -27,6 +27,7 @@
 #include "removal/compare/compare.h"
 #include "removal/compare/features/judgement.h"
 #include "removal/compare/fit/alignment.h"
+#include "removal/compare/part/part_feature.h"
 #include "removal/grid/start_hole.h"
 #include "removal/grid/stock_shape.h"
 
@@ -187,7 +188,7 @@ struct Job {
   std::optional<Vec3> part_point;  ///< in the part, of which bodies there may be several; frame of the stock
   std::optional<NominalSpec> nominal;
   /// [[characteristic]] of the part as a whole (see isOfPart), in their order; they need no nominal.
-  std::vector<CharacteristicRule> part_characteristics;
+  std::vector<PartRule> part_characteristics;
   std::vector<FixtureSpec> fixtures;  ///< of a job without setups
   std::vector<Tool> tools;            ///< validated, numbers differ; in the order of the file
   CuttingLimits limits;               ///< of the machine and of `tools`

@@ -1,7 +1,11 @@
 // Characteristics of a part as a whole, which need no nominal.
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "core/geometry/types.h"
+#include "removal/compare/comparison.h"
 #include "removal/compare/exact_part.h"
 #include "removal/compare/features/feature.h"
 
@@ -10,6 +14,14 @@ namespace proveout {
 /// Whether a quantity is of the part as a whole: its least wall, its least inner radius, the blank's surface
 /// that is left, crests between passes, roughness.
 bool isOfPart(Quantity quantity);
+
+/// `[[characteristic]]` of a job, of the part as a whole.
+struct PartRule {
+  Quantity quantity = Quantity::kThickness;
+  std::string name;                     ///< for people; may be empty
+  std::optional<IgnoredRegion> region;  ///< where it is looked for; none: everywhere
+  std::optional<double> min, max;       ///< allowed values, at least one of them; units as Quantity says
+};
 
 /// One of them, as the machined part has it. Units as Quantity says.
 struct PartFeature {
