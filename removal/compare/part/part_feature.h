@@ -27,7 +27,7 @@ struct PartRule {
 struct PartFeature {
   Quantity quantity = Quantity::kThickness;
   std::optional<double> measured;  ///< none: the part has nothing of the kind
-  double bound = 0.0;              ///< the true value is within this of it, about
+  bool measurable = true;          ///< false: nothing but a mesh is known of the part, which is too little
   Vec3 where = Vec3::Zero();       ///< where it is met
   SurfaceMaker maker;              ///< of the surface there
 };
