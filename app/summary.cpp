@@ -9,6 +9,7 @@
 #include "app/session/findings/findings.h"
 #include "core/base/printable.h"
 #include "core/geometry/place_text.h"
+#include "io/report/alignment_text.h"
 #include "io/report_text.h"
 
 namespace proveout {
@@ -114,6 +115,10 @@ std::string summaryText(const Report& report, const std::string& folder) {
                                report_text::figure(c->max_excess_mm), c->excess_tolerance_mm,
                                report_text::figure(c->rms_mm), c->decided ? "" : ", undecided on this grid"));
   }
+  if (report.comparison && report.comparison->scan)
+    row("scan", report_text::scanLine(*report.comparison->scan));
+  if (report.comparison && report.comparison->alignment)
+    row("aligned", report_text::alignmentLine(*report.comparison->alignment));
   row("findings", findingCounts(report));
   for (const std::string& line : report_text::acceptanceLines(report.acceptance)) row("accepted", line);
   // Without report.html (no room on the disk) there may still be others.

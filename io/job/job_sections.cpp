@@ -461,6 +461,7 @@ void readNominal(ConfigTable& root, Job& job) {
   if (const auto excess = table->number("excess", kPositiveLength)) nominal.excess_mm = *excess;
   for (ConfigTable& region : table->tables("ignore", 1'000)) readIgnored(region, nominal);
   for (ConfigTable& local : table->tables("tolerance", 1'000)) readLocalTolerance(local, nominal);
+  readAlignment(*table, nominal);
   readFeatureKeys(*table, nominal);
   table->refuseOthers();
   job.nominal = std::move(nominal);

@@ -26,6 +26,8 @@ void readStartHoles(ConfigTable& stock, Job& job);
 void readNominal(ConfigTable& root, Job& job);
 /// `general_tolerance` and `features` of [nominal].
 void readFeatureKeys(ConfigTable& table, NominalSpec& nominal);
+/// `align`, `align_limit` and `datums` of [nominal].
+void readAlignment(ConfigTable& table, NominalSpec& nominal);
 /// [[characteristic]], behind readNominal.
 void readCharacteristics(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);

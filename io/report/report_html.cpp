@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "io/report.h"
+#include "io/report/alignment_text.h"
 #include "io/report/report_html_parts.h"
 #include "io/report_text.h"
 
@@ -131,6 +133,9 @@ class Page {
       card(fixed(c.max_excess_mm, 3), "mm",
            fmt::format("highest excess (allowed {:g})", c.excess_tolerance_mm),
            c.max_excess_mm > c.excess_tolerance_mm);
+      if (c.scan)
+        card(fmt::format("{:.1f}", std::floor(1000.0 * c.scan->coverage) / 10.0), "%",
+             "of the surface scanned");
     }
     const std::optional<double> facets = report_text::facetsMm(r_);
     if (facets || r_.resolution_mm > 0.0)
@@ -206,6 +211,11 @@ class Page {
               ? fmt::format("; a grid of {:.3g} mm would decide them", *c.deciding_resolution_mm)
               : "");
     }
+    if (c.scan)
+      add("<p class=\"quiet\">Scan <code>{}</code>: {}. What was not scanned is not judged.</p>\n",
+          escape(c.scan->file), report_text::scanLine(*c.scan));
+    if (c.alignment)
+      add("<p class=\"quiet\">Alignment by {}.</p>\n", escape(report_text::alignmentLine(*c.alignment)));
     add("<p class=\"quiet\">Nominal: <code>{}</code></p>\n</section>\n", escape(c.nominal));
     out_ += report_html::featureTable(c.features, kMaxRows);
   }
@@ -304,7 +314,8 @@ class Page {
 
   void bodies(const ReportStock& s) {
     out_ +=
-        "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>Body</th><th class=\"num\">Volume mm³</th><th "
+        "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>Body</th><th class=\"num\">Volume "
+        "mm³</th><th "
         "class=\"num\">From "
         "(mm)</th><th class=\"num\">To (mm)</th></tr></thead><tbody>\n";
     const auto corner = [](const Vec3& p) {

@@ -235,6 +235,24 @@ Json featuresJson(const std::vector<ReportFeature>& features) {
   return out;
 }
 
+Json alignmentJson(const ReportAlignment& a) {
+  Json matrix = Json::array();
+  for (const auto& row : a.matrix) matrix.push_back(numbersJson({row.begin(), row.end()}));
+  return {{"kind", a.kind},
+          {"matrix", matrix},
+          {"rms_mm", number(a.rms_mm)},
+          {"moved_mm", number(a.moved_mm)},
+          {"turned_deg", number(a.turned_deg)},
+          {"points", a.points},
+          {"left_out", a.left_out},
+          {"free_directions", a.free_directions}};
+}
+
+Json scanJson(const ReportScan& s) {
+  return {{"file", s.file}, {"kind", s.mesh ? "mesh" : "points"}, {"points", s.points},
+          {"off", s.off},   {"coverage", number(s.coverage)},     {"reach_mm", number(s.reach_mm)}};
+}
+
 Json comparisonJson(const ReportComparison& c) {
   Json out = {{"nominal", c.nominal},
               {"nominal_unit", c.nominal_unit},
@@ -252,6 +270,8 @@ Json comparisonJson(const ReportComparison& c) {
                         {"rotate", three(c.placement.rotate_deg)},
                         {"move", three(c.placement.move)}};
   }
+  if (c.alignment) out["alignment"] = alignmentJson(*c.alignment);
+  if (c.scan) out["scan"] = scanJson(*c.scan);
   out["histogram"] = {{"edges_mm", numbersJson(c.histogram_edges_mm)},
                       {"area_mm2", numbersJson(c.histogram_area_mm2)}};
   if (!c.features.empty()) out["features"] = featuresJson(c.features);

@@ -13,6 +13,10 @@ proveout_add_library(compare
   compare/features/face_fits.cpp
   compare/features/face_network.cpp
   compare/features/feature.cpp
+  compare/fit/datums.cpp
+  compare/fit/fit.cpp
+  compare/fit/point_cells.cpp
+  compare/fit/scan.cpp
   compare/features/general_tolerance.cpp
   compare/features/hole_finder.cpp
   compare/features/judgement.cpp
