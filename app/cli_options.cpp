@@ -275,17 +275,47 @@ void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
   app->footer(kFooter);
 }
 
+void addAlignment(CLI::App& app, CompareCommandOptions& o) {
+  app.add_option("--align", o.align,
+                 "Move the nominal onto the part first: fit (least squares over the surface), datums "
+                 "(a\nplane and two "
+                 "holes of a STEP file); default: none")
+      ->option_text("NAME")
+      ->check(oneOf({"none", "fit", "datums"}));
+  app.add_option("--align-limit", o.align_limit_mm, "No point of the nominal moves farther; default: 1")
+      ->type_name("MM")
+      ->check(positiveMm());
+  app.add_option(
+         "--datum", o.datums,
+         "Of --align datums: a point on the plane, on the first hole, on the second; give it three\ntimes")
+      ->type_name("X,Y,Z")
+      ->allow_extra_args(false);
+  CLI::Option* const scan = app.add_flag(
+      "--scan", o.scan,
+      "NOMINAL is a scan of the part, points or an open mesh (PLY, STL), and MACHINED the\nmodel: what was "
+      "scanned is measured, and how much that is told");
+  app.add_option("--scan-reach", o.scan_reach_mm,
+                 "How near to a place of the model a point has to be to show it; default: from the points")
+      ->type_name("MM")
+      ->check(positiveMm())
+      ->needs(scan);
+}
+
 void addCompare(CLI::App& root, CompareCommandOptions& o) {
   CLI::App* app =
       root.add_subcommand("compare", "Compare two meshes: where material is missing or left over");
-  app->add_option("MACHINED", o.machined, "Closed mesh of the part: STL, OBJ, PLY, 3MF, GLB")
+  app->add_option("MACHINED", o.machined,
+                  "Closed mesh of the part: STL, OBJ, PLY, 3MF, GLB; with --scan the model")
       ->required()
       ->check(notEmpty());
-  app->add_option("NOMINAL", o.nominal, "CAD model: closed mesh, or STEP")->required()->check(notEmpty());
+  app->add_option("NOMINAL", o.nominal, "CAD model: closed mesh, or STEP; with --scan the scan")
+      ->required()
+      ->check(notEmpty());
   app->add_option("--unit", o.unit, "Of both meshes: mm, inch, m; default: mm")->option_text("UNIT");
   app->add_option("--nominal-unit", o.nominal_unit, "Of the nominal, where it has another one")
       ->type_name("UNIT");
   addPlacement(*app, o.place);
+  addAlignment(*app, o);
   app->add_option("--gouge", o.gouge_mm, "Allowed below nominal; default: 0.02")
       ->option_text("MM")
       ->check(positiveMm());

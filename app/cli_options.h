@@ -82,6 +82,11 @@ struct CompareCommandOptions {
   std::string unit = "mm";                  ///< of both files
   std::optional<std::string> nominal_unit;  ///< of the nominal, where it has another one
   NominalOptions place;
+  bool scan = false;                    ///< the second file is a scan, the first one the model
+  std::optional<double> scan_reach_mm;  ///< ScanOptions::reach_mm
+  std::string align = "none";           ///< "none", "fit", "datums"
+  std::optional<double> align_limit_mm;
+  std::vector<std::string> datums;  ///< "X,Y,Z" each
   double gouge_mm = 0.02, excess_mm = 0.05;
   GeneralTolerance general;  ///< of the nominal's features
   double resolution_mm = 0.2;

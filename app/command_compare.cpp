@@ -11,11 +11,13 @@
 #include "app/outputs.h"
 #include "app/page/report_view.h"
 #include "app/run_report.h"
+#include "app/scan/scan_pair.h"
 #include "app/session/findings/feature_table.h"
 #include "app/session/findings/findings.h"
 #include "app/session/forecast/comparison_work.h"
 #include "app/session/forecast/machine_speed.h"
 #include "app/session/forecast/thread_supply.h"
+#include "app/session/nominal/alignment.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nominal/placement_search.h"
 #include "app/summary.h"
@@ -30,7 +32,11 @@ namespace {
 
 struct Pair {
   PreparedMesh machined, nominal;
-  NominalSpec spec;  ///< of the nominal
+  NominalSpec spec;              ///< of the nominal
+  std::optional<ScanFile> scan;  ///< in place of the machined mesh
+
+  /// What is drawn: where a scan was compared, the nominal with its deviations.
+  const TriMesh& drawn() const { return scan ? nominal.mesh : machined.mesh; }
 };
 
 std::string partName(const CompareCommandOptions& options) {
@@ -57,31 +63,78 @@ Result<PairUnits> unitsOf(const CompareCommandOptions& options) {
   return PairUnits{*both, *nominal};
 }
 
+Status applyAlignment(const CompareCommandOptions& options, NominalSpec& nominal) {
+  AlignWish& wish = nominal.align;
+  wish.kind = options.align == "fit"      ? AlignKind::kFit
+              : options.align == "datums" ? AlignKind::kDatums
+                                          : AlignKind::kNone;
+  wish.limit_mm = options.align_limit_mm.value_or(wish.limit_mm);
+  if (options.align_limit_mm && wish.kind == AlignKind::kNone)
+    return inputError("--align-limit: nothing is aligned; add --align fit");
+  if (!options.datums.empty() && wish.kind != AlignKind::kDatums)
+    return inputError("--datum: nothing is aligned by datums; add --align datums");
+  for (const std::string& text : options.datums) {
+    const Result<Vec3> at = parseTriple("--datum", text, 1e6, "a point: X,Y,Z in mm");
+    if (!at) return at.error();
+    wish.datums.push_back(*at);
+  }
+  if (wish.kind == AlignKind::kDatums && wish.datums.size() != 3)
+    return inputError("--align datums: give --datum X,Y,Z three times, on a plane, a hole and another hole");
+  return Done{};
+}
+
+/// Where the files that are no solids may be a scan, that is said.
+Result<PreparedMesh> loadSolidOf(const NominalSpec& spec) {
+  Result<PreparedMesh> out = loadNominal(spec);
+  if (out || out.error().kind != ErrorKind::kInput) return out;
+  const std::string& message = out.error().message;
+  const bool open =
+      message.find("is not closed") != std::string::npos || message.find("no surface") != std::string::npos;
+  return open ? inputError(message + scanHint(spec.mesh.path)) : out.error();
+}
+
+/// The model, and what lies beside it: the machined mesh, or a scan. Of a scan the model comes first.
 Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& units) {
   NominalSpec machined, nominal;
+  const std::string& model_path = options.scan ? options.machined : options.nominal;
   machined.mesh = {options.machined, units.machined};
-  nominal.mesh = {options.nominal, units.nominal};
+  nominal.mesh = {model_path, units.nominal};
   if (const Status placed = applyNominal(options.place, nominal); !placed) return placed.error();
-  if (options.nominal_unit && statesUnit(options.nominal))
+  if (const Status aligned = applyAlignment(options, nominal); !aligned) return aligned.error();
+  if (options.nominal_unit && statesUnit(model_path))
     return inputError("--nominal-unit: STEP, 3MF and GLB files state their unit themselves");
-  Result<PreparedMesh> part = loadNominal(machined);
-  if (!part) return part.error();
-  Result<PreparedMesh> model = loadNominal(nominal);
-  if (!model) return model.error();
+  if (options.scan && !options.general.none())
+    return inputError(
+        "--general-tolerance: features are not measured on a scan; leave it out, or compare a closed mesh");
+  Pair pair;
   nominal.gouge_mm = options.gouge_mm;
   nominal.excess_mm = options.excess_mm;
   nominal.general = options.general;
-  return Pair{std::move(*part), std::move(*model), std::move(nominal)};
+  if (options.scan) {
+    Result<ScanFile> scan = loadScan(options.nominal, {.unit = units.machined});
+    if (!scan) return scan.error();
+    pair.scan = std::move(*scan);
+  } else {
+    Result<PreparedMesh> part = loadSolidOf(machined);
+    if (!part) return part.error();
+    pair.machined = std::move(*part);
+  }
+  Result<PreparedMesh> model = options.scan ? loadNominal(nominal) : loadSolidOf(nominal);
+  if (!model) return model.error();
+  pair.nominal = std::move(*model);
+  pair.spec = std::move(nominal);
+  return pair;
 }
 
 /// What the command will take. Errors: it is more than allowed.
 Result<Prediction> predictPair(const CompareCommandOptions& options, const Pair& pair, ImageSize size) {
   constexpr double kShortS = 0.15;  // shorter ones are over before anybody asks
   constexpr int kPictures = 3;
-  const TriMesh &machined = pair.machined.mesh, &nominal = pair.nominal.mesh;
+  const TriMesh &machined = pair.scan ? pair.scan->mesh : pair.machined.mesh, &nominal = pair.nominal.mesh;
   ComparisonWork work;
   work.area_mm2 = meshArea(machined) + meshArea(nominal);
   work.triangles = static_cast<double>(machined.triangles.size() + nominal.triangles.size());
+  if (pair.scan) work.triangles += static_cast<double>(machined.positions.size());
   work.pixels = static_cast<double>(size.width) * size.height;
   work.pictures = options.out ? kPictures : 0;
   Prediction prediction = predict(work, options.resolution_mm);
@@ -97,10 +150,39 @@ Result<Prediction> predictPair(const CompareCommandOptions& options, const Pair&
 struct PairResult {
   std::optional<Comparison> comparison;
   PlacementFault fault;
+  std::optional<Alignment> alignment;
+  std::optional<ScanComparison> scan;  ///< without the comparison, which is above
 };
 
-Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair& pair, Progress& progress) {
+Result<PairResult> compareScanPair(const CompareCommandOptions& options, Pair& pair, Progress& progress) {
+  Result<ScanResult> found = compareWithScan(options, pair.spec, *pair.scan, pair.nominal, progress);
+  if (!found) return found.error();
   PairResult result;
+  result.alignment = found->alignment;
+  if (found->scan) {
+    result.comparison = std::move(found->scan->comparison);
+    result.scan = std::move(found->scan);
+  } else {
+    result.fault.text = std::move(found->fault);
+    result.fault.comparable = false;
+  }
+  return result;
+}
+
+/// `pair`: the nominal is moved where it is to be aligned.
+Result<PairResult> comparePair(const CompareCommandOptions& options, Pair& pair, Progress& progress) {
+  if (pair.scan) return compareScanPair(options, pair, progress);
+  PairResult result;
+  if (pair.spec.align.kind != AlignKind::kNone) {
+    Result<AlignOutcome> outcome = alignNominal(pair.spec, {pair.machined.mesh}, pair.nominal, progress);
+    if (!outcome) return outcome.error();
+    result.alignment = outcome->alignment;
+    if (!outcome->fault.empty()) {
+      result.fault.text = std::move(outcome->fault);
+      result.fault.comparable = false;
+      return result;
+    }
+  }
   result.fault =
       placementFault(pair.nominal.mesh, pair.spec.placement, pair.spec.mesh.unit,
                      {pair.machined.mesh, std::nullopt, std::max(options.gouge_mm, options.excess_mm)});
@@ -120,7 +202,8 @@ Result<PairResult> comparePair(const CompareCommandOptions& options, const Pair&
 }
 
 /// What was found. No program is involved: nothing is blamed.
-void addFound(const Pair& pair, const PairResult& result, Report& report) {
+void addFound(const CompareCommandOptions& options, const Pair& pair, const PairResult& result,
+              Report& report) {
   if (!result.comparison) {
     Finding finding(FindingKind::kNominalPlacement);
     finding.message = result.fault.text;
@@ -129,12 +212,21 @@ void addFound(const Pair& pair, const PairResult& result, Report& report) {
   }
   const Comparison& comparison = *result.comparison;
   report.comparison = reportComparison(comparison, pair.spec);
+  if (result.alignment) report.comparison->alignment = reportAlignment(*result.alignment);
+  if (result.scan) report.comparison->scan = reportScan(options.nominal, *pair.scan, *result.scan);
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
   addUndecided(comparison, report.findings);
   addCharacteristics(comparison, pair.spec.featureTolerances(), report.findings);
   addCoarseNominal(comparison, report.findings);
   report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});
+}
+
+CompareOptions scanLimits(const CompareCommandOptions& options) {
+  CompareOptions out;
+  out.gouge_mm = options.gouge_mm;
+  out.excess_mm = options.excess_mm;
+  return out;
 }
 
 Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pair& pair,
@@ -149,10 +241,11 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   addMeshWarnings(pair.machined.notes, "mesh", notes);
   addMeshWarnings(pair.nominal.notes, "mesh", notes);
   if (result.comparison && !result.fault.text.empty()) addMeshWarnings({result.fault.text}, "nominal", notes);
+  if (result.scan) addScanNotes(*result.scan, scanLimits(options), report.findings, notes);
   report.diagnostics = notes.all();
-  addFound(pair, result, report);
-  const std::pair<const char*, std::string> files[] = {{"machined", options.machined},
-                                                       {"nominal", options.nominal}};
+  addFound(options, pair, result, report);
+  const std::pair<const char*, std::string> files[] = {{pair.scan ? "nominal" : "machined", options.machined},
+                                                       {pair.scan ? "scan" : "nominal", options.nominal}};
   for (const auto& [role, path] : files) {
     const Result<std::string> hash = sha256OfFile(path);
     if (!hash) return hash.error();
@@ -160,7 +253,7 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
     const auto bytes = std::filesystem::file_size(path, error);
     report.inputs.push_back({role, path, error ? 0 : static_cast<std::uint64_t>(bytes), *hash});
   }
-  report.part_sha256 = sha256OfMesh(pair.machined.mesh);
+  report.part_sha256 = sha256OfMesh(pair.scan ? pair.scan->mesh : pair.machined.mesh);
   report.performance.peak_memory_mb = peakMemoryMb();
   report.verdict = verdictOf(report);
   return report;
@@ -174,7 +267,7 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   request.size = size;
   request.name = report.name;
   request.threads = options.threads.value_or(0);
-  const TriMesh& mesh = pair.machined.mesh;
+  const TriMesh& mesh = pair.drawn();
   PictureMaker maker(std::move(request));
   Status drawn = maker.drawViews(mesh, progress);
   if (drawn && result.comparison)
@@ -188,9 +281,9 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
   if (!details) return details.error();
   page.details = std::move(*details);
   if (!options.no_view3d)
-    page.view = viewOfMeshes(
-        {mesh, result.comparison ? &pair.nominal.mesh : nullptr, comparison, page.bands, report.findings},
-        progress);
+    page.view = viewOfMeshes({mesh, result.comparison && !pair.scan ? &pair.nominal.mesh : nullptr,
+                              comparison, page.bands, report.findings},
+                             progress);
   report.performance.render_s = watch.lap();
   report.performance.wall_s += report.performance.render_s;
   report.performance.peak_memory_mb = peakMemoryMb();
@@ -207,11 +300,12 @@ Status writeResults(const CompareCommandOptions& options, const Pair& pair, cons
 /// Fills the guard with the two files, and checks that the results can be written beside them.
 Status checkTarget(const CompareCommandOptions& options, const std::vector<DeviationOutput>& deviations,
                    OutputGuard& guard) {
-  if (Status settled = settleInputs({{"machined mesh", options.machined}, {"nominal", options.nominal}});
-      !settled)
+  const std::string first = options.scan ? "model" : "machined mesh",
+                    second = options.scan ? "scan" : "nominal";
+  if (Status settled = settleInputs({{first, options.machined}, {second, options.nominal}}); !settled)
     return settled;
-  guard.protect("machined mesh", options.machined);
-  guard.protect("nominal", options.nominal);
+  guard.protect(first, options.machined);
+  guard.protect(second, options.nominal);
   if (Status streams = guard.checkStandardOutput(); !streams) return streams;
   if (!options.out) return Done{};
   std::vector<std::string> names;
@@ -235,7 +329,7 @@ Result<Report> compareFiles(const CompareCommandOptions& options, OutputFailures
   if (!deviations) return deviations.error();
   OutputGuard guard;
   if (const Status possible = checkTarget(options, *deviations, guard); !possible) return possible.error();
-  const Result<Pair> pair = loadPair(options, *units);
+  Result<Pair> pair = loadPair(options, *units);
   if (!pair) return pair.error();
   const double read_s = watch.lap();
   const Result<Prediction> prediction = predictPair(options, *pair, *size);

@@ -17,6 +17,7 @@
 #include "io/mesh_io.h"
 #include "io/output_guard.h"
 #include "io/png.h"
+#include "removal/compare/fit/fit.h"
 #include "render/render.h"
 
 namespace proveout {
@@ -32,6 +33,27 @@ struct HeatMapSource {
   NominalSpec nominal;
   double resolution_mm = 0.2;
 };
+
+/// The motion of an alignment: its matrix has three rows of four numbers.
+std::optional<RigidTransform> readMotion(const nlohmann::json& alignment) {
+  constexpr double kRounding = 1e-6;
+  const nlohmann::json rows =
+      alignment.is_object() ? alignment.value("matrix", nlohmann::json()) : nlohmann::json();
+  if (!rows.is_array() || rows.size() != 3) return std::nullopt;
+  RigidTransform out;
+  for (int row = 0; row < 3; ++row) {
+    const nlohmann::json& numbers = rows[static_cast<std::size_t>(row)];
+    if (!numbers.is_array() || numbers.size() != 4) return std::nullopt;
+    for (int k = 0; k < 4; ++k) {
+      const nlohmann::json& number = numbers[static_cast<std::size_t>(k)];
+      if (!number.is_number() || !(std::abs(number.get<double>()) <= 1e9)) return std::nullopt;
+      (k < 3 ? out.rotation(row, k) : out.translation[row]) = number.get<double>();
+    }
+  }
+  const bool turns =
+      (out.rotation * out.rotation.transpose()).isIdentity(kRounding) && out.rotation.determinant() > 0.0;
+  return turns ? std::optional(out) : std::nullopt;
+}
 
 /// Three finite numbers.
 std::optional<Vec3> readTriple(const nlohmann::json& object, const char* key) {
@@ -85,6 +107,11 @@ Result<HeatMapSource> readHeatMapSource(const std::string& path) {
     if (!placement)
       return wrong("the comparison's placement is none: scale above 0, rotate and move of three numbers");
     source.nominal.placement = *placement;
+  }
+  if (comparison.contains("alignment")) {
+    const auto motion = readMotion(comparison["alignment"]);
+    if (!motion) return wrong("the comparison's alignment has no matrix of three rows that turns and moves");
+    source.nominal.placement = chained(source.nominal.placement, placementOf(*motion));
   }
   std::error_code error;
   const fs::path beside = fs::path(path).parent_path() / source.nominal.mesh.path;

@@ -15,6 +15,7 @@
 #include "app/session/findings/findings.h"
 #include "app/session/findings/uncertainty.h"
 #include "app/session/forecast/run_limits.h"
+#include "app/session/nominal/alignment.h"
 #include "app/session/process/turning_work.h"
 #include "app/session/run/process.h"
 #include "core/base/assert.h"
@@ -290,6 +291,7 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
     report.part_sha256 = run.setups.back().mesh_sha256;
   }
   if (run.comparison) report.comparison = reportComparison(*run.comparison, *job.nominal);
+  if (run.comparison && run.alignment) report.comparison->alignment = reportAlignment(*run.alignment);
   Result<std::vector<FileHash>> hashes = hashInputs(job, sources);
   if (!hashes) return hashes.error();
   report.inputs = std::move(*hashes);

@@ -10,6 +10,7 @@
 #include "app/session/findings/provenance.h"
 #include "app/session/findings/uncertainty.h"
 #include "app/session/forecast/run_limits.h"
+#include "app/session/nominal/alignment.h"
 #include "core/tool/tool_table.h"
 #include "removal/exact/swept_part.h"
 #include "removal/turning/section/section.h"
@@ -50,6 +51,11 @@ void blameMaker(const SurfaceMaker& maker, const Vec3& where, double within_mm, 
 void blamePatch(const DeviationPatch& patch, const RunSources& sources, RunResult& run) {
   blameMaker(mainMaker(patch), patch.where, patch.depth_mm + 2.0 * run.resolution_mm, sources, run,
              run.findings.back());
+}
+
+/// How far the mesh of the part may lie off its surface, mm.
+double meshUncertainty(const Job& job, const RunResult& run) {
+  return partUncertainty(run) + (run.isOfFacets() ? 0.0 : simplification(job, run.resolution_mm));
 }
 
 void addCharacteristicFindings(const Job& job, const RunSources& sources, RunResult& run) {
@@ -109,6 +115,18 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
   return makeSweptPart(start, cuts, left_by);
 }
 
+Result<std::string> alignRun(const Job& job, const Blank& blank, PreparedMesh& nominal, RunResult& run,
+                             Progress& progress) {
+  if (job.nominal->align.kind == AlignKind::kNone) return std::string();
+  const Result<std::unique_ptr<ExactPart>> part = makeExactPart(blank.shape, run);
+  if (!part) return part.error();
+  Result<AlignOutcome> outcome = alignNominal(
+      *job.nominal, {run.surface().mesh, part->get(), meshUncertainty(job, run)}, nominal, progress);
+  if (!outcome) return outcome.error();
+  run.alignment = outcome->alignment;
+  return std::move(outcome->fault);
+}
+
 Status compareRun(const Job& job, const RunSources& sources, const Blank& blank, const PreparedMesh& nominal,
                   RunResult& run, Progress& progress) {
   Result<std::unique_ptr<ExactPart>> part = makeExactPart(blank.shape, run);
@@ -117,8 +135,7 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.gouge_mm = job.nominal->gouge_mm;
   options.excess_mm = job.nominal->excess_mm;
   options.resolution_mm = run.resolution_mm;
-  options.uncertainty_mm = partUncertainty(run);
-  if (!run.isOfFacets()) options.uncertainty_mm += simplification(job, run.resolution_mm);
+  options.uncertainty_mm = meshUncertainty(job, run);
   options.part = std::move(*part);
   options.spot_gap = [&run](const SurfaceMaker& a, const SurfaceMaker& b) { return spotGap(run, a, b); };
   options.threads = job.simulation.threads;

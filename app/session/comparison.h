@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "app/session/run/blank.h"
 #include "app/session/run/run_result.h"
@@ -11,6 +12,11 @@ namespace proveout {
 
 /// The machined part without a grid. Null where the blank's faces are not known (a stock from a file).
 Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const RunResult& run);
+
+/// Brings the nominal to the part, where the job asks for it: fills `alignment` of the run. Else, where that
+/// could not be done, a sentence that says why: then a comparison would tell nothing.
+Result<std::string> alignRun(const Job& job, const Blank& blank, PreparedMesh& nominal, RunResult& run,
+                             Progress& progress);
 
 /// Fills `comparison` of the run and adds its findings. The surface is measured on the mesh and, where that
 /// could be off, on the exact part (removal/exact): blank and swept volumes of all clampings, or the section

@@ -22,11 +22,18 @@
 #include "app/session/run/process.h"
 #include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
+#include "removal/compare/fit/fit.h"
 #include "removal/sweep/column_sweep.h"
 #include "removal/turning/turned_stock.h"
 
 namespace proveout {
 namespace {
+
+void tellPlacement(std::string text, RunResult& run) {
+  Finding finding(FindingKind::kNominalPlacement);
+  finding.message = std::move(text);
+  run.findings.push_back(std::move(finding));
+}
 
 /// Tells what is wrong about where the nominal lies. Where it cannot be compared there, that is the one
 /// finding.
@@ -35,7 +42,9 @@ bool tellElsewhere(const Job& job, const PreparedRun& prepared, RunResult& run) 
   const PartSpace space{run.surface().mesh, movedBounds(job, prepared.blank.bounds, run.setups.size() - 1),
                         std::max(nominal.gouge_mm, nominal.excess_mm) + partUncertainty(run),
                         run.setups.size() > 1};
-  PlacementFault fault = placementFault(prepared.nominal->mesh, nominal.placement, nominal.mesh.unit, space);
+  const MeshPlacement given =
+      run.alignment ? chained(nominal.placement, placementOf(run.alignment->motion)) : nominal.placement;
+  PlacementFault fault = placementFault(prepared.nominal->mesh, given, nominal.mesh.unit, space);
   if (fault.text.empty()) return false;
   const auto* mesh = job.stock ? std::get_if<MeshFile>(&*job.stock) : nullptr;
   if (mesh != nullptr && fault.rescaled)
@@ -45,9 +54,7 @@ bool tellElsewhere(const Job& job, const PreparedRun& prepared, RunResult& run) 
     addMeshWarnings({std::move(fault.text)}, "nominal", run.setups.back().interpreted.path.diagnostics);
     return false;
   }
-  Finding finding(FindingKind::kNominalPlacement);
-  finding.message = std::move(fault.text);
-  run.findings.push_back(std::move(finding));
+  tellPlacement(std::move(fault.text), run);
   return true;
 }
 
@@ -141,11 +148,17 @@ void tellThinFeaturesLast(std::vector<Finding>& findings) {
                         [](const Finding& finding) { return finding.kind != FindingKind::kThinFeature; });
 }
 
-/// Compares the finished part with its nominal.
-Status compareFinished(const Job& job, const RunSources& sources, const PreparedRun& prepared, RunResult& run,
+/// Compares the finished part with its nominal, which is moved where the job aligns it.
+Status compareFinished(const Job& job, const RunSources& sources, PreparedRun& prepared, RunResult& run,
                        Progress& progress) {
-  if (tellElsewhere(job, prepared, run)) return Done{};
   Stopwatch watch;
+  Result<std::string> unaligned = alignRun(job, prepared.blank, *prepared.nominal, run, progress);
+  if (!unaligned) return unaligned.error();
+  if (tellElsewhere(job, prepared, run)) return Done{};
+  if (!unaligned->empty()) {
+    tellPlacement(std::move(*unaligned), run);
+    return Done{};
+  }
   if (Status done = compareRun(job, sources, prepared.blank, *prepared.nominal, run, progress); !done)
     return done;
   if (run.comparison) dropRefuted(*run.comparison, run.findings);
@@ -154,7 +167,7 @@ Status compareFinished(const Job& job, const RunSources& sources, const Prepared
 }
 
 /// The same, with `meanwhile` beside it. What fails first stops the other.
-Status compareAndWork(const Job& job, const RunSources& sources, const PreparedRun& prepared, RunResult& run,
+Status compareAndWork(const Job& job, const RunSources& sources, PreparedRun& prepared, RunResult& run,
                       Progress& progress, const WorkOnPart& meanwhile) {
   Status compared = Done{}, worked = Done{};
   Progress working(&progress);

@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "program_runner.h"
 
@@ -223,6 +225,116 @@ TEST(Commands, CompareMeasuresABox) {
   EXPECT_EQ(bench.run("compare part.obj none.obj").exit_code, 2);
   bench.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(bench.run("compare open.obj cad.obj").exit_code, 2);
+}
+
+/// Points in a grid of 0.5 mm on top and sides of a box from 0, 0, 0, as PLY; its bottom was not scanned.
+std::string boxScan(const std::array<double, 3>& size, const std::array<double, 3>& moved,
+                    const std::string& more = "") {
+  std::ostringstream rows;
+  auto count = std::count(more.begin(), more.end(), '\n');
+  const auto add = [&](double x, double y, double z) {
+    rows << x + moved[0] << ' ' << y + moved[1] << ' ' << z + moved[2] << '\n';
+    ++count;
+  };
+  for (double a = 0.25; a < size[0]; a += 0.5)
+    for (double b = 0.25; b < size[1]; b += 0.5) add(a, b, size[2]);
+  for (double z = 0.25; z < size[2]; z += 0.5) {
+    for (double a = 0.25; a < size[0]; a += 0.5) {
+      add(a, 0, z);
+      add(a, size[1], z);
+    }
+    for (double b = 0.25; b < size[1]; b += 0.5) {
+      add(0, b, z);
+      add(size[0], b, z);
+    }
+  }
+  return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(count) +
+         "\nproperty float x\nproperty float y\nproperty float z\nend_header\n" + rows.str() + more;
+}
+
+TEST(Commands, CompareMeasuresAScan) {
+  const Workbench bench;
+  bench.write("cad.obj", boxObj(0, 0, 0, 20, 16, 6));
+  bench.write("scan.ply", boxScan({20, 16, 6}, {0, 0, 0}));
+  const Outcome good =
+      bench.run("compare cad.obj scan.ply --scan --out result --size 200x150 --deviation ply,csv");
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  const json report = json::parse(readFile(bench.path("result/report.json")));
+  const json& scan = report["comparison"]["scan"];
+  EXPECT_EQ(scan["kind"], "points");
+  EXPECT_EQ(scan["off"], 0);
+  const double all = 2.0 * (20 * 16 + 20 * 6 + 16 * 6), seen = all - 20 * 16;
+  EXPECT_NEAR(scan["coverage"].get<double>(), seen / all, 0.05);
+  EXPECT_LT(report["comparison"]["rms_mm"].get<double>(), 1e-5);
+  EXPECT_EQ(report["comparison"]["nominal"], "cad.obj");
+  // What was not scanned is told everywhere.
+  EXPECT_TRUE(has(good.err, "warning[not_compared]")) << good.err;
+  EXPECT_TRUE(has(good.out, "% of the nominal's surface was scanned")) << good.out;
+  EXPECT_TRUE(has(readFile(bench.path("result/report.html")), "of the surface scanned"));
+  EXPECT_TRUE(bench.exists("result/deviation.png"));
+  EXPECT_TRUE(bench.exists("result/cad-deviation.ply"));
+
+  bench.write("bumped.ply", boxScan({20, 16, 6}, {0, 0, 0}, "10 8 6.3\n10.1 8 6.3\n500 0 0\n"));
+  const Outcome bad = bench.run("compare cad.obj bumped.ply --scan --json");
+  EXPECT_EQ(bad.exit_code, 1);
+  const json told = json::parse(bad.out);
+  EXPECT_NEAR(told["comparison"]["max_excess_mm"].get<double>(), 0.3, 1e-5);
+  EXPECT_EQ(told["comparison"]["scan"]["off"], 1);
+  EXPECT_TRUE(has(bad.err, "error[excess]") && has(bad.err, "warning[scan]")) << bad.err;
+}
+
+TEST(Commands, CompareAlignsTheNominal) {
+  const Workbench bench;
+  bench.write("cad.obj", boxObj(0, 0, 0, 20, 16, 6));
+  bench.write("part.obj", boxObj(0.3, -0.2, 0.1, 20.3, 15.8, 6.1));
+  EXPECT_EQ(bench.run("compare part.obj cad.obj").exit_code, 1);
+  const Outcome fit =
+      bench.run("compare part.obj cad.obj --align fit --out result --no-view3d --size 200x150");
+  EXPECT_EQ(fit.exit_code, 0) << fit.err;
+  EXPECT_TRUE(has(fit.out, "fit: nominal moved by up to 0.3742 mm")) << fit.out;
+  const json report = json::parse(readFile(bench.path("result/report.json")));
+  const json& matrix = report["comparison"]["alignment"]["matrix"];
+  EXPECT_NEAR(matrix[0][3].get<double>(), 0.3, 1e-5);
+  EXPECT_NEAR(matrix[1][3].get<double>(), -0.2, 1e-5);
+  EXPECT_NEAR(matrix[2][3].get<double>(), 0.1, 1e-5);
+  // A picture that is coloured later has the nominal where it was compared.
+  EXPECT_EQ(bench.run("render part.obj -o heat.png --size 200x150 --heatmap result/report.json").exit_code,
+            0);
+
+  bench.write("scan.ply", boxScan({20, 16, 6}, {0.3, -0.2, 0.1}));
+  const Outcome scan = bench.run("compare cad.obj scan.ply --scan --align fit --json");
+  EXPECT_EQ(scan.exit_code, 0) << scan.err;
+  EXPECT_NEAR(json::parse(scan.out)["comparison"]["alignment"]["matrix"][1][3].get<double>(), -0.2, 1e-5);
+
+  const Outcome far = bench.run("compare part.obj cad.obj --align fit --align-limit 0.2");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_TRUE(has(far.err, "error[nominal_placement]") && has(far.err, "--align-limit")) << far.err;
+}
+
+TEST(Commands, CompareRefusesWhatIsNoScan) {
+  const Workbench bench;
+  bench.write("cad.obj", boxObj(0, 0, 0, 20, 16, 6));
+  bench.write("scan.ply", boxScan({20, 16, 6}, {0, 0, 0}));
+  bench.write("nan.ply", boxScan({20, 16, 6}, {0, 0, 0}, "nan 0 0\n"));
+  bench.write("none.ply", boxScan({0, 0, 0}, {0, 0, 0}));
+  bench.write("far.ply", boxScan({20, 16, 6}, {300, 0, 0}));
+  const auto errorOf = [&](const std::string& command) {
+    const Outcome outcome = bench.run(command);
+    EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
+    return outcome.err;
+  };
+  // Without --scan points are no solid, and the message says what to do.
+  EXPECT_TRUE(has(errorOf("compare scan.ply cad.obj"), "MODEL SCAN --scan"));
+  EXPECT_TRUE(has(errorOf("compare cad.obj nan.ply --scan"), "not a finite number"));
+  EXPECT_TRUE(has(errorOf("compare cad.obj none.ply --scan"), "has no points"));
+  EXPECT_TRUE(has(errorOf("compare scan.ply cad.obj --scan"), "must end in .ply or .stl"));
+  EXPECT_TRUE(
+      has(errorOf("compare cad.obj scan.ply --scan --general-tolerance m"), "not measured on a scan"));
+  EXPECT_TRUE(has(errorOf("compare cad.obj scan.ply --scan --align datums"), "--datum X,Y,Z three times"));
+  EXPECT_TRUE(has(errorOf("compare cad.obj scan.ply --align-limit 2"), "nothing is aligned"));
+  const Outcome far = bench.run("compare cad.obj far.ply --scan");
+  EXPECT_EQ(far.exit_code, 1);
+  EXPECT_TRUE(has(far.err, "the scan does not lie where the model does")) << far.err;
 }
 
 TEST(Commands, RenderDrawsAMeshAndAHeatMap) {

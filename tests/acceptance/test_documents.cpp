@@ -85,6 +85,7 @@ void furnish(const Workbench& bench) {
     fs::copy_file(bench.path(file), bench.path(name), fs::copy_options::overwrite_existing);
   };
   made("run job.toml --no-render --out made", "made/job.stl", "part.stl");
+  made("run job.toml --no-render --format ply --out scanned", "scanned/job.ply", "scan.ply");
   for (const char* name : {"machined.stl", "nominal.stl"})
     fs::copy_file(bench.path("part.stl"), bench.path(name));
   ASSERT_EQ(bench.run("run parts/gouged_plate/job.toml --no-render --out plate-out").exit_code, 1);

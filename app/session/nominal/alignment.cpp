@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -34,8 +35,10 @@ double roomyLimit(double moved_mm) {
 std::string tooFar(const Alignment& found, double limit_mm) {
   const Vec3& by = found.motion.translation;
   return fmt::format(
-      "the nominal is not aligned and not compared: that would move it by up to {} mm (X{:.3f} Y{:.3f} Z{:.3f} at the "
-      "origin, turned by {} degrees), and no more than {:g} mm is allowed; check where it lies (move and rotate under "
+      "the nominal is not aligned and not compared: that would move it by up to {} mm (X{:.3f} Y{:.3f} "
+      "Z{:.3f} at the "
+      "origin, turned by {} degrees), and no more than {:g} mm is allowed; check where it lies (move and "
+      "rotate under "
       "[nominal], --nominal-at), or enter align_limit = {:g} (--align-limit)",
       figure(found.moved_mm), by.x(), by.y(), by.z(), figure(radToDeg(found.turned_rad)), limit_mm,
       roomyLimit(found.moved_mm));
@@ -63,9 +66,10 @@ Result<AlignOutcome> taken(const Result<Alignment>& found, double limit_mm, Prep
 
 Status checkAlignment(const NominalSpec& spec, const CadFaces* faces) {
   if (spec.align.kind != AlignKind::kDatums || faces != nullptr) return Done{};
-  return inputError(spec.mesh.path +
-                    ": align = \"datums\" needs a STEP file: the faces of a mesh are not known; align = \"fit\" "
-                    "goes by the surface");
+  return inputError(
+      spec.mesh.path +
+      ": align = \"datums\" needs a STEP file: the faces of a mesh are not known; align = \"fit\" "
+      "goes by the surface");
 }
 
 Result<AlignOutcome> alignNominal(const NominalSpec& spec, const AlignedPart& part, PreparedMesh& nominal,
@@ -77,28 +81,32 @@ Result<AlignOutcome> alignNominal(const NominalSpec& spec, const AlignedPart& pa
     constexpr std::size_t kPoints = 40'000;
     const double reach_mm = 2.0 * part.uncertainty_mm + 0.01;
     const FitPoints points = fitPointsOf(part.mesh, part.exact, reach_mm, spec.ignored, kPoints);
-    return taken(fitNominal(nominal.mesh, nominal.faces.get(), points, wish.limit_mm, progress), wish.limit_mm, nominal);
+    return taken(fitNominal(nominal.mesh, nominal.faces.get(), points, wish.limit_mm, progress),
+                 wish.limit_mm, nominal);
   }
   if (part.exact != nullptr)
-    return taken(alignByDatums(nominal.mesh, *nominal.faces, wish.datums, *part.exact), wish.limit_mm, nominal);
+    return taken(alignByDatums(nominal.mesh, *nominal.faces, wish.datums, *part.exact), wish.limit_mm,
+                 nominal);
   const SurfaceMesh surface = toSurface(part.mesh);
   const SignedDistance distance(surface, 0.1);
-  return taken(alignByDatums(nominal.mesh, *nominal.faces, wish.datums, MeshPart(distance, part.uncertainty_mm)),
-               wish.limit_mm, nominal);
+  return taken(
+      alignByDatums(nominal.mesh, *nominal.faces, wish.datums, MeshPart(distance, part.uncertainty_mm)),
+      wish.limit_mm, nominal);
 }
 
-Result<AlignOutcome> alignToScan(const NominalSpec& spec, const std::vector<Vec3>& points, PreparedMesh& nominal,
-                                 Progress& progress) {
+Result<AlignOutcome> alignToScan(const NominalSpec& spec, const std::vector<Vec3>& points,
+                                 PreparedMesh& nominal, Progress& progress) {
   if (spec.align.kind == AlignKind::kDatums)
     return inputError("--align datums needs a closed part: a scan is aligned by --align fit");
   progress.report("aligning", 0.0);
   FitPoints fit;
   fit.points = points;
   std::erase_if(fit.points, [&](const Vec3& p) {
-    return std::any_of(spec.ignored.begin(), spec.ignored.end(), [&](const IgnoredRegion& r) { return r.contains(p); });
+    return std::any_of(spec.ignored.begin(), spec.ignored.end(),
+                       [&](const IgnoredRegion& r) { return r.contains(p); });
   });
-  return taken(fitNominal(nominal.mesh, nominal.faces.get(), fit, spec.align.limit_mm, progress), spec.align.limit_mm,
-               nominal);
+  return taken(fitNominal(nominal.mesh, nominal.faces.get(), fit, spec.align.limit_mm, progress),
+               spec.align.limit_mm, nominal);
 }
 
 ReportAlignment reportAlignment(const Alignment& alignment) {
@@ -106,7 +114,8 @@ ReportAlignment reportAlignment(const Alignment& alignment) {
   out.kind = alignment.kind == AlignKind::kDatums ? "datums" : "fit";
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column)
-      out.matrix[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] = alignment.motion.rotation(row, column);
+      out.matrix[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
+          alignment.motion.rotation(row, column);
     out.matrix[static_cast<std::size_t>(row)][3] = alignment.motion.translation[row];
   }
   out.rms_mm = alignment.rms_mm;

@@ -27,14 +27,14 @@ struct AlignedPart {
   double uncertainty_mm = 0.0;       ///< how far the mesh may lie off the exact part
 };
 
-/// Looks for the motion and moves mesh and faces of the nominal by it, where no point moves farther than the wish
-/// allows. Errors: datums of a nominal whose faces are not known (a mesh); interrupted.
+/// Looks for the motion and moves mesh and faces of the nominal by it, where no point moves farther than the
+/// wish allows. Errors: datums of a nominal whose faces are not known (a mesh); interrupted.
 Result<AlignOutcome> alignNominal(const NominalSpec& spec, const AlignedPart& part, PreparedMesh& nominal,
                                   Progress& progress);
 
 /// The same to the points of a scan; by a fit alone. Errors: datums; interrupted.
-Result<AlignOutcome> alignToScan(const NominalSpec& spec, const std::vector<Vec3>& points, PreparedMesh& nominal,
-                                 Progress& progress);
+Result<AlignOutcome> alignToScan(const NominalSpec& spec, const std::vector<Vec3>& points,
+                                 PreparedMesh& nominal, Progress& progress);
 
 /// Error where the wish needs faces that the nominal does not have.
 Status checkAlignment(const NominalSpec& spec, const CadFaces* faces);

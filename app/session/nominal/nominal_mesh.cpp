@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/session/nominal/alignment.h"
 #include "io/mesh_io.h"
 #include "io/step/step_file.h"
 
@@ -67,6 +68,7 @@ Result<PreparedMesh> loadCadNominal(const NominalSpec& nominal) {
 Result<PreparedMesh> loadNominal(const NominalSpec& nominal) {
   if (isStepFile(nominal.mesh.path)) return loadCadNominal(nominal);
   if (Status known = checkLocalTolerances(nominal, nullptr); !known) return known.error();
+  if (Status known = checkAlignment(nominal, nullptr); !known) return known.error();
   MeshLoadOptions options;
   options.unit = nominal.mesh.unit;
   Result<TriMesh> mesh = loadMesh(nominal.mesh.path, options);

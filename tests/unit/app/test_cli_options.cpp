@@ -49,9 +49,10 @@ TEST(CommandLine, RunTakesEveryOption) {
 }
 
 TEST(CommandLine, WhatIsEnteredAndAccepted) {
-  const std::vector<std::string> words = {"run",       "a.nc",       "--control",       "nct",       "--offset", "G55=1,2,3",
-                                          "--offset",  "D1=5",       "--skip",          "--program-unit", "inch", "--machine",
-                                          "m.toml",    "--select",   "gouge,excess",    "--ignore", "partial"};
+  const std::vector<std::string> words = {"run",       "a.nc",      "--control", "nct",      "--offset",
+                                          "G55=1,2,3", "--offset",  "D1=5",      "--skip",   "--program-unit",
+                                          "inch",      "--machine", "m.toml",    "--select", "gouge,excess",
+                                          "--ignore",  "partial"};
   std::vector<std::string> all = words;
   all.insert(all.end(), {"--baseline", "known.json", "--write-baseline", "new.json"});
   const auto o = parsed<RunOptions>(all);
@@ -87,6 +88,18 @@ TEST(CommandLine, OtherCommands) {
   EXPECT_EQ(compare.nominal, "b.stl");
   EXPECT_DOUBLE_EQ(compare.gouge_mm, 0.1);
   EXPECT_DOUBLE_EQ(compare.excess_mm, 0.05);
+  EXPECT_EQ(compare.align, "none");
+  EXPECT_FALSE(compare.scan);
+  const auto scan = parsed<CompareCommandOptions>({"compare", "a.stl", "b.ply", "--scan", "--scan-reach",
+                                                   "0.5", "--align", "fit", "--align-limit", "0.2"});
+  EXPECT_TRUE(scan.scan);
+  EXPECT_EQ(scan.scan_reach_mm, 0.5);
+  EXPECT_EQ(scan.align, "fit");
+  EXPECT_EQ(scan.align_limit_mm, 0.2);
+  const auto datums =
+      parsed<CompareCommandOptions>({"compare", "a.stl", "b.step", "--align", "datums", "--datum", "1,2,3",
+                                     "--datum", "4,5,6", "--datum", "7,8,-9"});
+  EXPECT_EQ(datums.datums, (std::vector<std::string>{"1,2,3", "4,5,6", "7,8,-9"}));
   const auto render = parsed<RenderCommandOptions>({"render", "a.stl", "-o", "a.png", "--view", "top"});
   EXPECT_EQ(render.output, "a.png");
   EXPECT_EQ(render.view, "top");
@@ -118,6 +131,9 @@ TEST(CommandLine, BadUsageIsExitTwoWithAMessage) {
       {"path", "a", "--format", "xml"},
       {"compare", "a.stl"},
       {"compare", "a.stl", "b.stl", "--gouge", "0"},
+      {"compare", "a.stl", "b.stl", "--align", "best"},
+      {"compare", "a.stl", "b.stl", "--align", "fit", "--align-limit", "0"},
+      {"compare", "a.stl", "b.stl", "--scan-reach", "1"},
       {"render"},
       {"coverage", "extra"},
   };
@@ -140,7 +156,8 @@ TEST(CommandLine, VersionAndHelpGoToStdout) {
 
 // The help texts as files: a change shows in review. PROVEOUT_UPDATE_GOLDEN=1 writes them anew.
 TEST(CommandLine, HelpIsAsRecorded) {
-  for (const std::string command : {"", "run", "explain", "path", "check", "template", "compare", "render", "coverage"}) {
+  for (const std::string command :
+       {"", "run", "explain", "path", "check", "template", "compare", "render", "coverage"}) {
     std::vector<std::string> arguments{"--help"};
     if (!command.empty()) arguments.insert(arguments.begin(), command);
     const std::string help = parseCommandLine(arguments).output;

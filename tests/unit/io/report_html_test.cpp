@@ -61,6 +61,23 @@ TEST(ReportHtml, ListsFeaturesWithTheirDimensions) {
   EXPECT_THAT(html, HasSubstr("&lt;slot&gt;</td><td class=\"text\" colspan=\"6\">missing"));
 }
 
+TEST(ReportHtml, TellsAlignmentAndScan) {
+  Report report = io_test::sampleReport();
+  report.comparison->alignment = io_test::sampleAlignment();
+  report.comparison->scan = io_test::sampleScan();
+  const std::string html = reportHtml(report, {});
+  EXPECT_THAT(
+      html,
+      HasSubstr("Alignment by fit: nominal moved by up to 0.25 mm and turned by 0 degrees; 0.0201 mm rms "
+                "left at 12345 points, 32 left out; 1 direction not settled by the surface."));
+  EXPECT_THAT(
+      html,
+      HasSubstr("Scan <code>&lt;scan&gt;.ply</code>: 62.1 % of the nominal's surface was scanned (a point "
+                "within 0.375 mm), 98765 points, 12 too far off to be of the part. What was not scanned is "
+                "not judged."));
+  EXPECT_THAT(html, HasSubstr("<b>62.1 <small>%</small></b><span>of the surface scanned"));
+}
+
 TEST(ReportText, FiguresAreTidy) {
   EXPECT_EQ(report_text::figure(0.35312), "0.3531");
   EXPECT_EQ(report_text::figure(174.13), "174.1");

@@ -110,6 +110,31 @@ TEST(ReportJson, HasTheFeaturesOfACadModel) {
   EXPECT_EQ(j["findings"][0]["feature"], "hole of diameter 8 at X20.000 Y5.000");
 }
 
+TEST(ReportJson, TellsAlignmentAndScan) {
+  Report report = io_test::sampleReport();
+  EXPECT_FALSE(Json::parse(reportJson(report))["comparison"].contains("alignment"));
+  EXPECT_FALSE(Json::parse(reportJson(report))["comparison"].contains("scan"));
+  report.comparison->alignment = io_test::sampleAlignment();
+  report.comparison->scan = io_test::sampleScan();
+  const Json j = Json::parse(reportJson(report))["comparison"];
+  EXPECT_EQ(j["alignment"]["kind"], "fit");
+  EXPECT_EQ(j["alignment"]["matrix"][0][3], 0.25);
+  EXPECT_EQ(j["alignment"]["matrix"][1][0], 0.0);
+  EXPECT_EQ(j["alignment"]["matrix"][2][2], 1.0);
+  EXPECT_EQ(j["alignment"]["rms_mm"], 0.0201);
+  EXPECT_EQ(j["alignment"]["moved_mm"], 0.25);
+  EXPECT_EQ(j["alignment"]["turned_deg"], 0.0);
+  EXPECT_EQ(j["alignment"]["points"], 12345);
+  EXPECT_EQ(j["alignment"]["left_out"], 32);
+  EXPECT_EQ(j["alignment"]["free_directions"], 1);
+  EXPECT_EQ(j["scan"]["file"], "<scan>.ply");
+  EXPECT_EQ(j["scan"]["kind"], "points");
+  EXPECT_EQ(j["scan"]["points"], 98765);
+  EXPECT_EQ(j["scan"]["off"], 12);
+  EXPECT_EQ(j["scan"]["coverage"], 0.6219);
+  EXPECT_EQ(j["scan"]["reach_mm"], 0.375);
+}
+
 TEST(ReportJson, KeepsTheOrderOfKeys) {
   std::vector<std::string> keys;
   const Json j = Json::parse(reportJson(io_test::sampleReport()));

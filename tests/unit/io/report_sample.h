@@ -27,6 +27,20 @@ inline std::vector<ReportFeature> sampleFeatures() {
           {"F2", "slot", "<slot>", Vec3(1, 2, 3), true, {}}};
 }
 
+inline ReportAlignment sampleAlignment() {
+  ReportAlignment out;
+  out.kind = "fit";
+  out.matrix = {{{1, 0, 0, 0.25}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+  out.rms_mm = 0.0201;
+  out.moved_mm = 0.25;
+  out.points = 12345;
+  out.left_out = 32;
+  out.free_directions = 1;
+  return out;
+}
+
+inline ReportScan sampleScan() { return {"<scan>.ply", false, 98765, 12, 0.6219, 0.375}; }
+
 inline Report sampleReport() {
   Report r;
   r.name = "bracket <A&B>";
