@@ -277,25 +277,23 @@ void addPathAndCheck(CLI::App& root, PathOptions& path, CheckOptions& check) {
 
 void addAlignment(CLI::App& app, CompareCommandOptions& o) {
   app.add_option("--align", o.align,
-                 "Move the nominal onto the part first: fit (least squares over the surface), datums "
-                 "(a\nplane and two "
-                 "holes of a STEP file); default: none")
+                 "Move the nominal onto the part before: fit (least squares over the surface),\n"
+                 "datums (a plane and two holes of a STEP file); default: none")
       ->option_text("NAME")
       ->check(oneOf({"none", "fit", "datums"}));
   app.add_option("--align-limit", o.align_limit_mm, "No point of the nominal moves farther; default: 1")
       ->type_name("MM")
       ->check(positiveMm());
-  app.add_option(
-         "--datum", o.datums,
-         "Of --align datums: a point on the plane, on the first hole, on the second; give it three\ntimes")
-      ->type_name("X,Y,Z")
+  app.add_option("--datum", o.datums,
+                 "Of --align datums, three times: a point on the plane, the first and the second hole")
+      ->option_text("X,Y,Z")
       ->allow_extra_args(false);
-  CLI::Option* const scan = app.add_flag(
-      "--scan", o.scan,
-      "NOMINAL is a scan of the part, points or an open mesh (PLY, STL), and MACHINED the\nmodel: what was "
-      "scanned is measured, and how much that is told");
+  CLI::Option* const scan =
+      app.add_flag("--scan", o.scan,
+                   "MACHINED is the model, and NOMINAL a scan of the part: points or an open\n"
+                   "mesh, PLY or STL; what it does not show is told and not judged");
   app.add_option("--scan-reach", o.scan_reach_mm,
-                 "How near to a place of the model a point has to be to show it; default: from the points")
+                 "How near to a place of the model a point shows it; default: two spacings of the points")
       ->type_name("MM")
       ->check(positiveMm())
       ->needs(scan);

@@ -241,9 +241,9 @@ Result<Report> makeCompareReport(const CompareCommandOptions& options, const Pai
   addMeshWarnings(pair.machined.notes, "mesh", notes);
   addMeshWarnings(pair.nominal.notes, "mesh", notes);
   if (result.comparison && !result.fault.text.empty()) addMeshWarnings({result.fault.text}, "nominal", notes);
+  addFound(options, pair, result, report);
   if (result.scan) addScanNotes(*result.scan, scanLimits(options), report.findings, notes);
   report.diagnostics = notes.all();
-  addFound(options, pair, result, report);
   const std::pair<const char*, std::string> files[] = {{pair.scan ? "nominal" : "machined", options.machined},
                                                        {pair.scan ? "scan" : "nominal", options.nominal}};
   for (const auto& [role, path] : files) {

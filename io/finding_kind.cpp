@@ -73,7 +73,7 @@ constexpr std::array<FindingKindInfo, kKinds> kRows{{
     {kCoarseNominal, "coarse_nominal", kNote, Check::kOwn, false,
      "the facets of the nominal leave its curved faces by more than a fifth of the smaller tolerance"},
     {kNotCompared, "not_compared", kNote, Check::kOwn, false,
-     "a region that the job leaves out of the comparison"},
+     "a region that the job leaves out of the comparison, or surface that a scan does not show"},
     {kNominalPlacement, "nominal_placement", kError, Check::kOwn, false,
      "the nominal does not lie where the part does, and is not compared"},
     {kOvertravel, "overtravel", kError, Check::kOvertravel, false, "an axis left its limits"},

@@ -225,7 +225,9 @@ class ScanComparer {
     out_.off = measured->off;
     out_.points = measured->points.size();
     out_.reach_mm = reachOf(out_.spacing_mm);
-    samples_ = makeSampleMesh(nominal_, std::min(o_.resolution_mm, out_.reach_mm), kMostSampleTriangles);
+    // About as many as points: each stands for little more than the points near it say.
+    samples_ =
+        makeSampleMesh(nominal_, std::min(o_.resolution_mm, 0.5 * out_.reach_mm), kMostSampleTriangles);
     scan_ = std::make_shared<const ScanSurface>(std::move(*measured), out_.reach_mm, samples_.spacing_mm, o_);
     lookAtSamples();
     if (progress_.cancelled()) return Error{ErrorKind::kInterrupted, "comparison interrupted"};
@@ -240,7 +242,7 @@ class ScanComparer {
   Comparison& comparison() { return out_.comparison; }
 
   double reachOf(double spacing) const {
-    constexpr double kSpacings = 1.5;  // of points without order one place in a thousand has none so near
+    constexpr double kSpacings = 2.0;  // of points without order four places in a million have none so near
     constexpr double kLeast = 1e-3;
     if (options_.reach_mm > 0.0) return options_.reach_mm;
     return spacing > 0.0 ? std::max(kSpacings * spacing, kLeast) : o_.resolution_mm;

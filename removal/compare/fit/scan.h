@@ -15,8 +15,9 @@ struct ScanOptions {
   /// Tolerances, spacing of the samples on the nominal, faces and ignored regions; the part's frame. Not
   /// used: `part`, `uncertainty_mm`, `local`, features.
   CompareOptions compare;
-  double reach_mm = 0.0;  ///< how near to a place of the nominal a point shows it; 0: one and a half
-  /// spacings; of fewer than nine points the spacing of the samples
+  /// How near to a place of the nominal a point shows it; 0: two spacings of the points, or of fewer than
+  /// nine the spacing of the samples.
+  double reach_mm = 0.0;
 };
 
 /// Points farther from the nominal are not of the part: fixture, table, dust. Twenty times the larger
