@@ -193,11 +193,16 @@ Result<PairResult> comparePair(const CompareCommandOptions& options, Pair& pair,
   settings.resolution_mm = options.resolution_mm;
   settings.threads = options.threads.value_or(0);
   settings.nominal_faces = pair.nominal.faces;
-  settings.measure_features = pair.spec.measuresFeatures();
+  const bool measured_behind =
+      result.alignment && pair.nominal.faces != nullptr && pair.spec.measuresFeatures();
+  settings.measure_features = pair.spec.measuresFeatures() && !measured_behind;
   settings.find_features = pair.spec.findsFeatures();
   Result<Comparison> comparison = compareToNominal(pair.machined.mesh, pair.nominal.mesh, settings, progress);
   if (!comparison) return comparison.error();
   result.comparison = std::move(*comparison);
+  if (measured_behind)
+    measureAligned(pair.nominal, *result.alignment, {pair.machined.mesh}, options.resolution_mm,
+                   *result.comparison);
   return result;
 }
 
@@ -216,7 +221,9 @@ void addFound(const CompareCommandOptions& options, const Pair& pair, const Pair
   if (result.scan) report.comparison->scan = reportScan(options.nominal, *pair.scan, *result.scan);
   for (const DeviationPatch& patch : comparison.patches) addDeviation(patch, comparison, report.findings);
   addUndecided(comparison, report.findings);
+  const std::size_t first = report.findings.size();
   addCharacteristics(comparison, pair.spec.featureTolerances(), report.findings);
+  if (result.alignment) placeOnPart(result.alignment->motion, first, report.findings);
   addCoarseNominal(comparison, report.findings);
   report.error_budget.push_back({"nominal", comparison.nominal_chord_mm,
                                  "chord height of the nominal's facets, estimated from neighbouring facets"});

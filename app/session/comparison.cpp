@@ -59,9 +59,14 @@ double meshUncertainty(const Job& job, const RunResult& run) {
 }
 
 void addCharacteristicFindings(const Job& job, const RunSources& sources, RunResult& run) {
-  for (const CharacteristicFault& fault :
-       addCharacteristics(*run.comparison, job.nominal->featureTolerances(), run.findings))
-    blameMaker(fault.maker, fault.at, 2.0 * run.resolution_mm, sources, run, run.findings[fault.finding]);
+  const RigidTransform onto_part = run.alignment ? run.alignment->motion : RigidTransform();
+  const std::size_t first = run.findings.size();
+  const std::vector<CharacteristicFault> faults =
+      addCharacteristics(*run.comparison, job.nominal->featureTolerances(), run.findings);
+  if (run.alignment) placeOnPart(onto_part, first, run.findings);
+  for (const CharacteristicFault& fault : faults)
+    blameMaker(fault.maker, onto_part(fault.at), 2.0 * run.resolution_mm, sources, run,
+               run.findings[fault.finding]);
 }
 
 /// `unsure_facets_mm`: the profile resolution, where the part is compared as a mesh of facets.
@@ -142,12 +147,16 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.ignored = job.nominal->ignored;
   options.nominal_faces = nominal.faces;
   options.local = job.nominal->local;
-  options.measure_features = job.nominal->measuresFeatures();
+  const bool measured_behind = run.alignment && nominal.faces != nullptr && job.nominal->measuresFeatures();
+  options.measure_features = job.nominal->measuresFeatures() && !measured_behind;
   options.find_features = job.nominal->findsFeatures();
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();
   run.comparison = std::move(*comparison);
+  if (measured_behind)
+    measureAligned(nominal, *run.alignment, {run.surface().mesh, options.part.get(), options.uncertainty_mm},
+                   options.resolution_mm, *run.comparison);
   const double unsure_facets_mm = options.part == nullptr && run.isOfFacets() ? run.meshResolution() : 0.0;
   if (unsure_facets_mm > 0.0) {
     for (DeviationPatch& patch : run.comparison->undecided) patch.deciding_resolution_mm = 0.0;  // no grid is

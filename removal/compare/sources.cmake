@@ -15,6 +15,7 @@ proveout_add_library(compare
   compare/features/feature.cpp
   compare/fit/datums.cpp
   compare/fit/fit.cpp
+  compare/fit/model_frame.cpp
   compare/fit/point_cells.cpp
   compare/fit/scan.cpp
   compare/features/general_tolerance.cpp

@@ -10,6 +10,7 @@
 #include "removal/compare/deepest_point.h"
 #include "removal/compare/fit/datums.h"
 #include "removal/compare/fit/fit.h"
+#include "removal/compare/fit/model_frame.h"
 
 namespace proveout {
 
@@ -63,6 +64,23 @@ Result<AlignOutcome> taken(const Result<Alignment>& found, double limit_mm, Prep
 }
 
 }  // namespace
+
+void measureAligned(const PreparedMesh& nominal, const Alignment& alignment, const AlignedPart& part,
+                    double spacing_mm, Comparison& comparison) {
+  const auto measure = [&](const ExactPart& exact) {
+    measureInModelFrame(nominal.mesh, *nominal.faces, alignment.motion, exact, spacing_mm, comparison);
+  };
+  if (part.exact != nullptr) return measure(*part.exact);
+  const SurfaceMesh surface = toSurface(part.mesh);
+  const SignedDistance distance(surface, 0.5 * spacing_mm);
+  measure(MeshPart(distance, part.uncertainty_mm));
+}
+
+void placeOnPart(const RigidTransform& motion, std::size_t first, std::vector<Finding>& findings) {
+  for (std::size_t k = first; k < findings.size(); ++k) {
+    if (findings[k].where) findings[k].where = motion(*findings[k].where);
+  }
+}
 
 Status checkAlignment(const NominalSpec& spec, const CadFaces* faces) {
   if (spec.align.kind != AlignKind::kDatums || faces != nullptr) return Done{};

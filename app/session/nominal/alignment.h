@@ -36,6 +36,15 @@ Result<AlignOutcome> alignNominal(const NominalSpec& spec, const AlignedPart& pa
 Result<AlignOutcome> alignToScan(const NominalSpec& spec, const std::vector<Vec3>& points,
                                  PreparedMesh& nominal, Progress& progress);
 
+/// Where the features of the nominal, `faces` of which are known, are measured behind the comparison: in the
+/// frame of the model as it was before.
+void measureAligned(const PreparedMesh& nominal, const Alignment& alignment, const AlignedPart& part,
+                    double spacing_mm, Comparison& comparison);
+
+/// Findings of features, from the one of that index on, come in the frame of the model: puts their places
+/// onto the part.
+void placeOnPart(const RigidTransform& motion, std::size_t first, std::vector<Finding>& findings);
+
 /// Error where the wish needs faces that the nominal does not have.
 Status checkAlignment(const NominalSpec& spec, const CadFaces* faces);
 

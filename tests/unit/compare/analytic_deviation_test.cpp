@@ -60,6 +60,11 @@ Comparison compared(const TriMesh& machined, const TriMesh& nominal, double reso
 void expectFigures(const DeviationFigures& found, const Figures& wanted, const char* side) {
   EXPECT_NEAR(found.rms_mm, wanted.rms, kMicrometre) << side;
   EXPECT_NEAR(found.p95_mm, wanted.p95, kMicrometre) << side;
+  const std::string name = side;
+  testing::Test::RecordProperty(name + "_rms_off_nm",
+                                static_cast<int>(1e6 * std::abs(found.rms_mm - wanted.rms)));
+  testing::Test::RecordProperty(name + "_p95_off_nm",
+                                static_cast<int>(1e6 * std::abs(found.p95_mm - wanted.p95)));
 }
 void expectLargest(const Comparison& found, const Figures& machined, const Figures& nominal) {
   EXPECT_NEAR(found.max_excess_mm, std::max(machined.most, nominal.most), kMicrometre);

@@ -80,6 +80,41 @@ TEST_F(StepAlignment, DatumsBringItBack) {
   EXPECT_LT(outcome.alignment->rms_mm, 2e-3);
 }
 
+/// The drawing has the through hole at X15 Y15: where the part lies off, x and y are those of the drawing,
+/// and what is wrong about a hole stays with it.
+TEST_F(StepAlignment, FeaturesHaveTheCoordinatesOfTheModel) {
+  wishDatums();
+  FeaturePartSizes made;
+  made.drill_x = 110.05;
+  writeStep(folder_.path("made.step"), {{"part", featurePart(made)}});
+  NominalSpec of_part;
+  of_part.mesh.path = folder_.path("made.step");
+  of_part.placement = away_;
+  const Result<PreparedMesh> part = loadNominal(of_part);
+  ASSERT_TRUE(part) << part.error().message;
+  PreparedMesh nominal = loaded({});
+  Progress progress;
+  const Result<AlignOutcome> outcome = alignNominal(spec_, {part->mesh}, nominal, progress);
+  ASSERT_TRUE(outcome && outcome->alignment);
+  Comparison out;
+  measureAligned(nominal, *outcome->alignment, {part->mesh}, 0.5, out);
+  const auto expectX = [&](double x, double y, double wanted) {
+    std::size_t found = 0;
+    for (const Feature& feature : out.features) {
+      if ((feature.at - Vec3(x, y, 0)).head<2>().norm() > 1.0) continue;
+      for (const Characteristic& c : feature.characteristics) {
+        if (c.quantity != Quantity::kX) continue;
+        ++found;
+        EXPECT_NEAR(c.nominal, x, 1e-6) << feature.name;
+        EXPECT_NEAR(c.measured.value_or(1e9), wanted, 5e-3) << feature.name;
+      }
+    }
+    EXPECT_GE(found, 1u);
+  };
+  expectX(15, 15, 15.0);
+  expectX(110, 15, 110.05);
+}
+
 TEST_F(StepAlignment, DatumsOnOtherFacesAreTold) {
   wishDatums();
   spec_.align.datums[1] = {55, 30, 20};
