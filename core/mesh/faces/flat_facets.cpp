@@ -73,8 +73,8 @@ Shape shapeOf(const TriMesh& mesh, std::size_t t) {
   const auto& c = mesh.triangles[t];
   const Vec3 p = mesh.positions[c[0]].cast<double>(), q = mesh.positions[c[1]].cast<double>(),
              r = mesh.positions[c[2]].cast<double>();
-  return {(q - p).cross(r - p), std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(),
-                                                    (p - r).squaredNorm()}))};
+  return {(q - p).cross(r - p),
+          std::sqrt(std::max({(q - p).squaredNorm(), (r - q).squaredNorm(), (p - r).squaredNorm()}))};
 }
 
 std::vector<std::uint32_t> trianglesAcross(const TriMesh& mesh) {

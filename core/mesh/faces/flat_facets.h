@@ -27,10 +27,10 @@ struct FlatFacet {
 /// The border of a facet to another one.
 struct FacetLink {
   std::uint32_t other = 0;
-  double length = 0.0;        ///< mm
-  double turn = 0.0;          ///< between the normals, rad, >= 0; of two firm facets
-  bool smooth = false;        ///< a curved face may go on across it
-  bool alike = false;         ///< both are about as wide across it
+  double length = 0.0;  ///< mm
+  double turn = 0.0;    ///< between the normals, rad, >= 0; of two firm facets
+  bool smooth = false;  ///< a curved face may go on across it
+  bool alike = false;   ///< both are about as wide across it
 };
 
 /// A corner of a facet.

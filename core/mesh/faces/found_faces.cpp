@@ -87,9 +87,10 @@ CadFace planeThrough(const FlatFacet& facet, const std::vector<Vec3>& points) {
 }
 
 /// Whether a facet is one of many of a free-form face, and no plane: most of its border goes on smoothly into
-/// others that are of no face, and about as large.
-bool isFreeForm(const FlatFacets& facets, const Draft& draft, std::uint32_t f) {
+/// others that are of no face, and about as large; or it is a splinter of one.
+bool isFreeForm(const FlatFacets& facets, const Draft& draft, double least_mm2, std::uint32_t f) {
   constexpr double kLarge = 8.0;
+  if (facets[f].area < least_mm2) return true;
   double all = 0.0, soft = 0.0;
   for (const FacetLink& link : facets.links(f)) {
     all += link.length;
@@ -100,9 +101,13 @@ bool isFreeForm(const FlatFacets& facets, const Draft& draft, std::uint32_t f) {
 }
 
 void addPlanes(const FlatFacets& facets, Draft& draft) {
+  constexpr double kLeastShare = 1e-5;  // of the whole surface
+  double area = 0.0;
+  for (std::uint32_t f = 0; f < facets.size(); ++f) area += facets[f].area;
   std::vector<std::uint32_t> planes;
   for (std::uint32_t f = 0; f < facets.size(); ++f)
-    if (draft.face_of[f] == kNoFace && facets[f].firm && !isFreeForm(facets, draft, f)) planes.push_back(f);
+    if (draft.face_of[f] == kNoFace && facets[f].firm && !isFreeForm(facets, draft, kLeastShare * area, f))
+      planes.push_back(f);
   for (const std::uint32_t f : planes) {
     FittedFace face;
     face.points = pointsOf(facets, {f}, false);
@@ -145,7 +150,8 @@ void addFreeForms(const FlatFacets& facets, Draft& draft) {
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     if (draft.face_of[f] != kNoFace) continue;
     for (const FacetLink& link : facets.links(f))
-      if (draft.face_of[link.other] == kNoFace && (link.smooth || !facets[f].firm || !facets[link.other].firm))
+      if (draft.face_of[link.other] == kNoFace &&
+          (link.smooth || !facets[f].firm || !facets[link.other].firm))
         parts.join(f, link.other);
   }
   std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> members;

@@ -198,7 +198,8 @@ struct Movable {
     int k = 0;
     out.origin += by[0] * u + by[1] * v;
     k = 2;
-    if (face.kind == SurfaceKind::kSphere || face.kind == SurfaceKind::kTorus) out.origin += by[k++] * face.axis;
+    if (face.kind == SurfaceKind::kSphere || face.kind == SurfaceKind::kTorus)
+      out.origin += by[k++] * face.axis;
     out.radius += by[k++];
     if (face.kind == SurfaceKind::kCone) out.half_angle_rad += by[k++];
     if (face.kind == SurfaceKind::kTorus) out.tube_radius += by[k++];
@@ -289,7 +290,7 @@ std::optional<CadFace> guessRound(SurfaceKind kind, const FlatFacets& facets,
 namespace round_detail {
 
 bool fit(std::span<const Vec3> points, bool turns, CadFace& face) {
-  constexpr int kSteps = 30;
+  constexpr int kSteps = 12;
   constexpr double kSettled = 1e-11, kMostDamping = 1e8;
   const Vec3 middle = meanOf(points);
   double size = 0.0;
@@ -322,8 +323,7 @@ bool fit(std::span<const Vec3> points, bool turns, CadFace& face) {
     while (!better && damping < kMostDamping) {
       scaled = Square::Identity();
       for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-          scaled(i, j) = a(i, j) * scale[i] * scale[j] + (i == j ? damping : 0.0);
+        for (int j = 0; j < n; ++j) scaled(i, j) = a(i, j) * scale[i] * scale[j] + (i == j ? damping : 0.0);
       Row right = Row::Zero();
       for (int i = 0; i < n; ++i) right[i] = b[i] * scale[i];
       by = scaled.ldlt().solve(right);

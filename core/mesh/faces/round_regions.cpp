@@ -17,8 +17,12 @@ namespace region_detail {
 const double kAlikeNormal = std::cos(degToRad(27.0));
 /// Facets of one face leave it by about as much as those that it was found in.
 constexpr double kChordRatio = 4.0;
+/// So far beyond what corners may be off a figure says something.
+constexpr double kClear = 10.0;
+/// The ring of a torus for its tube, at least.
+constexpr double kLeastRing = 0.02;
 /// Points that a fit takes while a region grows, and at its end.
-constexpr std::size_t kFitPoints = 240, kLastPoints = 1'500;
+constexpr std::size_t kStartPoints = 48, kFitPoints = 240, kLastPoints = 1'500;
 constexpr std::array<SurfaceKind, 4> kKinds = {SurfaceKind::kCylinder, SurfaceKind::kCone,
                                                SurfaceKind::kSphere, SurfaceKind::kTorus};
 
@@ -43,7 +47,12 @@ class Marks {
 class RoundSearch {
  public:
   RoundSearch(const FlatFacets& facets, double near_mm, std::vector<bool>& taken)
-      : facets_(facets), near_(near_mm), taken_(taken), in_(facets.size()), seen_(facets.vertices()) {}
+      : facets_(facets),
+        near_(near_mm),
+        taken_(taken),
+        in_(facets.size()),
+        seen_(facets.vertices()),
+        vain_(facets.size(), false) {}
 
   std::vector<FacetRegion> run();
 
@@ -55,20 +64,34 @@ class RoundSearch {
   Group nearest(std::uint32_t seed) const;
   std::vector<std::uint32_t> around(std::uint32_t seed, int rings, std::size_t most);
   std::vector<Vec3> pointsOf(const std::vector<std::uint32_t>& of, std::size_t most);
-  bool lies(std::uint32_t facet, const CadFace& face, double chord) const;
+  /// Whether a facet's corners lie on the face, to `near` where they stand for it.
+  bool lies(std::uint32_t facet, const CadFace& face, double chord, double near) const;
+  bool lies(std::uint32_t facet, const CadFace& face, double chord) const {
+    return lies(facet, face, chord, near_);
+  }
   double chordOf(const std::vector<std::uint32_t>& of, const CadFace& face) const;
   void orient(const std::vector<std::uint32_t>& of, CadFace& face) const;
-  std::optional<CadFace> start(SurfaceKind kind, std::vector<std::uint32_t>& of, double& chord);
+  struct Start {
+    std::optional<CadFace> face;
+    bool few = false;  ///< too few corners to say anything
+    double chord = 0.0;
+  };
+  Start start(SurfaceKind kind, std::vector<std::uint32_t>& of);
   std::optional<FacetRegion> grow(std::vector<std::uint32_t> of, CadFace face, double chord);
   void spread(FacetRegion& region, double chord);
   bool refit(FacetRegion& region, std::size_t points, double chord);
   bool accepted(FacetRegion& region);
+  bool endsClean(const FacetRegion& region);
+  void look(const std::vector<std::uint32_t>& order, bool all, std::vector<FacetRegion>& out);
+  void giveUp(std::uint32_t seed, bool many);
+  void takeBack(std::vector<FacetRegion>& regions);
   std::optional<FacetRegion> bestAt(std::uint32_t seed);
 
   const FlatFacets& facets_;
   const double near_;
   std::vector<bool>& taken_;
   Marks in_, seen_;
+  std::vector<bool> vain_;  ///< facets that nothing was found from
 };
 
 /// Neighbours across smooth borders, ring by ring; those alike first in each.
@@ -101,9 +124,9 @@ std::vector<Vec3> RoundSearch::pointsOf(const std::vector<std::uint32_t>& of, st
   return out;
 }
 
-bool RoundSearch::lies(std::uint32_t f, const CadFace& face, double chord) const {
+bool RoundSearch::lies(std::uint32_t f, const CadFace& face, double chord, double near) const {
   const FlatFacet& facet = facets_[f];
-  const double allowed = chord + near_;
+  const double allowed = chord + near;
   if (facet.firm && (facet.normal.dot(face.normalAt(facet.middle)) < kAlikeNormal ||
                      std::abs(face.distance(facet.middle)) > allowed))
     return false;
@@ -112,7 +135,7 @@ bool RoundSearch::lies(std::uint32_t f, const CadFace& face, double chord) const
   for (const FacetCorner& corner : facets_.corners(f)) {
     double d = face.distance(facets_.point(corner.vertex));
     if (face.hollow) d = -d;  // facets are on the axis' side
-    if (corner.on_curve ? std::abs(d) > near_ : (d < -allowed || d > (torus ? allowed : near_))) return false;
+    if (corner.on_curve ? std::abs(d) > near : (d < -allowed || d > (torus ? allowed : near))) return false;
     any = any || corner.on_curve;
   }
   return any;
@@ -135,21 +158,22 @@ void RoundSearch::orient(const std::vector<std::uint32_t>& of, CadFace& face) co
 }
 
 /// The face of the kind through most of the facets; those off it are dropped from `of`.
-std::optional<CadFace> RoundSearch::start(SurfaceKind kind, std::vector<std::uint32_t>& of, double& chord) {
+RoundSearch::Start RoundSearch::start(SurfaceKind kind, std::vector<std::uint32_t>& of) {
   constexpr double kMostDropped = 0.4;
   constexpr int kTries = 3;
   const std::size_t first = of.size();
   for (int attempt = 0; attempt < kTries; ++attempt) {
-    const std::vector<Vec3> points = pointsOf(of, kFitPoints);
-    if (points.size() < freedomOf(kind) + (kind == SurfaceKind::kSphere ? 2 : 3)) return std::nullopt;
+    const std::vector<Vec3> points = pointsOf(of, kStartPoints);
+    if (points.size() < freedomOf(kind) + (kind == SurfaceKind::kSphere ? 2 : 3))
+      return {std::nullopt, attempt == 0, 0.0};
     std::optional<CadFace> face = guessRound(kind, facets_, of, points);
-    if (!face || !fitRound(points, true, *face)) return std::nullopt;
+    if (!face || !fitRound(points, true, *face)) return {};
     orient(of, *face);
-    chord = std::min(kMostSoftChord, kChordRatio * chordOf(of, *face) + near_);
+    const double chord = std::min(kMostSoftChord, kChordRatio * chordOf(of, *face) + near_);
     std::vector<std::uint32_t> kept;
     for (const std::uint32_t f : of)
       if (lies(f, *face, chord)) kept.push_back(f);
-    if (kept.size() == of.size()) return face;
+    if (kept.size() == of.size()) return {face, false, chord};
     // Those that lie farthest off are of another face; the fit through all lies between both.
     std::vector<std::pair<double, std::uint32_t>> off;
     for (const std::uint32_t f : of) {
@@ -166,26 +190,32 @@ std::optional<CadFace> RoundSearch::start(SurfaceKind kind, std::vector<std::uin
     std::vector<std::uint32_t> fewer;
     for (const auto& [d, f] : off)
       if (d <= limit) fewer.push_back(f);
-    if (fewer.size() == of.size() || static_cast<double>(fewer.size()) < (1.0 - kMostDropped) * static_cast<double>(first))
-      return std::nullopt;
+    if (fewer.size() == of.size() ||
+        static_cast<double>(fewer.size()) < (1.0 - kMostDropped) * static_cast<double>(first))
+      return {};
     of = std::move(fewer);
   }
-  return std::nullopt;
+  return {};
 }
 
-/// Adds neighbours that lie on the face, from the region's facets on.
+/// Adds neighbours that lie on the face, from the region's facets on. What a few facets say of the others is
+/// not exact: there more is allowed until they are part of the fit.
 void RoundSearch::spread(FacetRegion& region, double chord) {
-  std::size_t next_fit = 2 * region.facets.size() + 4;
+  constexpr std::size_t kFew = 24;
+  constexpr double kDoubt = 4.0;
+  const auto after = [](std::size_t size) { return size < kFew ? size + 2 : 2 * size; };
+  std::size_t next_fit = after(region.facets.size());
   for (std::size_t k = 0; k < region.facets.size(); ++k) {
     for (const FacetLink& link : facets_.links(region.facets[k])) {
+      const double near = region.facets.size() < kFew ? kDoubt * near_ : near_;
       if (taken_[link.other] || in_.has(link.other) || link.turn > kSteepTurn ||
-          !lies(link.other, region.face, chord))
+          !lies(link.other, region.face, chord, near))
         continue;
       in_.add(link.other);
       region.facets.push_back(link.other);
     }
     if (region.facets.size() < next_fit) continue;
-    next_fit = 2 * region.facets.size();
+    next_fit = after(region.facets.size());
     CadFace face = region.face;
     if (fitRound(pointsOf(region.facets, kFitPoints), true, face)) region.face = face;
   }
@@ -239,12 +269,16 @@ bool RoundSearch::accepted(FacetRegion& region) {
   const std::vector<Vec3> points = pointsOf(region.facets, facets_.vertices());
   region.corners = points.size();
   region.residual_mm = 0.0;
-  for (const Vec3& p : points) region.residual_mm = std::max(region.residual_mm, std::abs(region.face.distance(p)));
+  for (const Vec3& p : points)
+    region.residual_mm = std::max(region.residual_mm, std::abs(region.face.distance(p)));
   region.chord_mm = chordOf(region.facets, region.face);
   if (firm < (strips ? 3u : 8u)) return false;
+  // A circle about a point is a sphere.
+  if (kind == SurfaceKind::kTorus &&
+      region.face.radius < kLeastRing * region.face.tube_radius + kClear * near_)
+    return false;
   if (region.corners < freedomOf(kind) + (strips ? 3 : 5)) return false;
   // What the face curves by in all has to be far beyond what its corners may be off.
-  constexpr double kClear = 10.0;
   const double radius = kind == SurfaceKind::kTorus ? region.face.tube_radius : region.face.radius;
   double least = 1.0;
   if (sum.norm() > 0.0)
@@ -270,7 +304,8 @@ std::optional<FacetRegion> RoundSearch::bestAt(std::uint32_t seed) {
   std::stable_sort(links.begin(), links.end(),
                    [](const FacetLink& a, const FacetLink& b) { return a.length > b.length; });
   for (std::size_t k = 0; k < std::min<std::size_t>(2, links.size()); ++k) strip.push_back(links[k].other);
-  const std::array<std::vector<std::uint32_t>, 3> sets = {strip, around(seed, 1, kMost), around(seed, 2, kMost)};
+  const std::array<std::vector<std::uint32_t>, 4> sets = {strip, around(seed, 1, kMost),
+                                                          around(seed, 2, kMost), around(seed, 5, kMost)};
   std::optional<FacetRegion> best;
   double most = 0.0;
   for (const SurfaceKind kind : kKinds) {
@@ -278,10 +313,10 @@ std::optional<FacetRegion> RoundSearch::bestAt(std::uint32_t seed) {
     for (std::size_t k = strips ? 0 : 1; k < sets.size(); ++k) {
       if (k > 0 && sets[k].size() == sets[k - 1].size()) continue;
       std::vector<std::uint32_t> of = sets[k];
-      double chord = 0.0;
-      const std::optional<CadFace> face = start(kind, of, chord);
-      if (!face) continue;
-      std::optional<FacetRegion> region = grow(std::move(of), *face, chord);
+      const Start found = start(kind, of);
+      if (found.few) continue;
+      if (!found.face) break;  // more of the surface fits no better
+      std::optional<FacetRegion> region = grow(std::move(of), *found.face, found.chord);
       if (!region) continue;
       const double area = areaOf(facets_, *region);
       if (best && area <= kMore * most) break;
@@ -293,46 +328,124 @@ std::optional<FacetRegion> RoundSearch::bestAt(std::uint32_t seed) {
   return best;
 }
 
-std::vector<FacetRegion> RoundSearch::run() {
+/// Whether the region ends where the surface does not go on smoothly into facets alike: all of a face was
+/// found, and no piece of another one that it happens to fit.
+bool RoundSearch::endsClean(const FacetRegion& region) {
+  constexpr double kMostOpen = 0.15;
+  in_.clear();
+  for (const std::uint32_t f : region.facets) in_.add(f);
+  double all = 0.0, open = 0.0;
+  for (const std::uint32_t f : region.facets) {
+    for (const FacetLink& link : facets_.links(f)) {
+      if (in_.has(link.other)) continue;
+      all += link.length;
+      if (link.smooth && link.alike) open += link.length;
+    }
+  }
+  return open <= kMostOpen * all;
+}
+
+/// Looks from each facet on; `all`: for faces that do not end clean, too.
+void RoundSearch::look(const std::vector<std::uint32_t>& order, bool all, std::vector<FacetRegion>& out) {
   const auto count = static_cast<std::uint32_t>(facets_.size());
   // Facets that could be of one face; each of these parts may be tried in vain so often.
   DisjointSets parts(count);
-  std::vector<std::uint32_t> smooth(count, 0);
-  for (std::uint32_t f = 0; f < count; ++f) {
-    for (const FacetLink& link : facets_.links(f)) {
-      if (!link.smooth || !link.alike) continue;
-      parts.join(f, link.other);
-      ++smooth[f];
+  for (std::uint32_t f = 0; f < count; ++f)
+    for (const FacetLink& link : facets_.links(f))
+      if (link.smooth && link.alike && !taken_[f] && !taken_[link.other]) parts.join(f, link.other);
+  std::vector<std::uint32_t> size(count, 0);
+  for (std::uint32_t f = 0; f < count; ++f) ++size[parts.find(f)];
+  std::vector<double> tries(count, 0.0);
+  constexpr double kTries = 40.0, kShare = 0.02, kTriesInAll = 3'000.0;
+  for (std::uint32_t f = 0; f < count; ++f) tries[f] = kTries + kShare * size[f];
+  double in_all = kTriesInAll;
+  constexpr std::size_t kMany = 40;      // so many facets do not fit by chance
+  constexpr std::uint32_t kLarge = 400;  // a part of so many facets is not asked from each of them
+  std::vector<bool> tried(count, false);
+  for (const std::uint32_t seed : order) {
+    const std::uint32_t part = parts.find(seed);
+    if (taken_[seed] || tried[seed] || vain_[seed] || tries[part] < 1.0 || in_all < 1.0) continue;
+    std::optional<FacetRegion> found = bestAt(seed);
+    const bool good = found && (endsClean(*found) || (all && found->facets.size() >= kMany));
+    if (good) {
+      for (const std::uint32_t f : found->facets) taken_[f] = true;
+      out.push_back(std::move(*found));
+      continue;
+    }
+    --tries[part];
+    --in_all;
+    if (!found) giveUp(seed, size[part] > kLarge);
+    if (found)
+      for (const std::uint32_t f : found->facets) tried[f] = true;
+  }
+}
+
+/// Nothing was found from the seed: nor will there be from its neighbours, where there are many.
+void RoundSearch::giveUp(std::uint32_t seed, bool many) {
+  vain_[seed] = true;
+  if (!many) return;
+  for (const FacetLink& link : facets_.links(seed))
+    if (link.smooth && link.alike) vain_[link.other] = true;
+}
+
+/// Small regions that lie on the face of a larger one beside them, and facets left beside them, go to it.
+void RoundSearch::takeBack(std::vector<FacetRegion>& regions) {
+  constexpr std::uint32_t kFree = 0xFFFFFFFFu;
+  std::vector<std::uint32_t> region_of(facets_.size(), kFree), order(regions.size());
+  for (std::uint32_t r = 0; r < regions.size(); ++r)
+    for (const std::uint32_t f : regions[r].facets) region_of[f] = r;
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return areaOf(facets_, regions[a]) > areaOf(facets_, regions[b]);
+  });
+  std::vector<bool> gone(regions.size(), false);
+  for (const std::uint32_t r : order) {
+    if (gone[r]) continue;
+    const double chord = std::min(kMostSoftChord, kChordRatio * regions[r].chord_mm + near_);
+    for (std::size_t k = 0; k < regions[r].facets.size(); ++k) {
+      for (const FacetLink& link : facets_.links(regions[r].facets[k])) {
+        const std::uint32_t other = region_of[link.other];
+        if (other == r || link.turn > kSteepTurn) continue;
+        if (other == kFree) {
+          if (!lies(link.other, regions[r].face, chord)) continue;
+          region_of[link.other] = r;
+          taken_[link.other] = true;
+          regions[r].facets.push_back(link.other);
+          continue;
+        }
+        const auto& others = regions[other].facets;
+        if (others.size() >= regions[r].facets.size() ||
+            !std::all_of(others.begin(), others.end(),
+                         [&](std::uint32_t f) { return lies(f, regions[r].face, chord); }))
+          continue;
+        for (const std::uint32_t f : others) {
+          region_of[f] = r;
+          regions[r].facets.push_back(f);
+        }
+        gone[other] = true;
+        regions[other].facets.clear();
+      }
     }
   }
-  std::vector<std::uint32_t> size(count, 0), order;
-  std::vector<double> tries(count, 0.0);
-  for (std::uint32_t f = 0; f < count; ++f) ++size[parts.find(f)];
-  constexpr double kTries = 40.0, kShare = 0.06;
-  double in_all = 20'000.0;
-  for (std::uint32_t f = 0; f < count; ++f) {
+  std::erase_if(regions, [](const FacetRegion& r) { return r.facets.empty(); });
+}
+
+std::vector<FacetRegion> RoundSearch::run() {
+  std::vector<std::uint32_t> order, smooth(facets_.size(), 0);
+  for (std::uint32_t f = 0; f < facets_.size(); ++f) {
+    for (const FacetLink& link : facets_.links(f))
+      if (link.smooth && link.alike) ++smooth[f];
     if (smooth[f] > 0) order.push_back(f);
-    tries[f] = kTries + kShare * size[f];
   }
+  // The middle of a face and large facets say most.
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     if ((smooth[a] > 1) != (smooth[b] > 1)) return smooth[a] > 1;
     return facets_[a].area > facets_[b].area;
   });
   std::vector<FacetRegion> out;
-  std::vector<bool> tried(count, false);
-  for (const std::uint32_t seed : order) {
-    double& left = tries[parts.find(seed)];
-    if (taken_[seed] || tried[seed] || left < 1.0 || in_all < 1.0) continue;
-    std::optional<FacetRegion> found = bestAt(seed);
-    if (!found) {
-      --left;
-      --in_all;
-      tried[seed] = true;
-      continue;
-    }
-    for (const std::uint32_t f : found->facets) taken_[f] = true;
-    out.push_back(std::move(*found));
-  }
+  look(order, false, out);
+  look(order, true, out);
+  takeBack(out);
   return out;
 }
 
