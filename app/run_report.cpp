@@ -247,6 +247,7 @@ ReportComparison reportComparison(const Comparison& comparison, const NominalSpe
   report.histogram_edges_mm = comparison.histogram.edges_mm;
   report.histogram_area_mm2 = comparison.histogram.area_mm2;
   report.features = featureTable(comparison, nominal.featureTolerances());
+  report.features_found = comparison.faces_found;
   report.decided = comparison.undecided.empty();
   double deciding = std::numeric_limits<double>::infinity();
   for (const DeviationPatch& patch : comparison.undecided) {

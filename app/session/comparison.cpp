@@ -149,7 +149,9 @@ Status compareRun(const Job& job, const RunSources& sources, const Blank& blank,
   options.local = job.nominal->local;
   const bool measured_behind = run.alignment && nominal.faces != nullptr && job.nominal->measuresFeatures();
   options.measure_features = job.nominal->measuresFeatures() && !measured_behind;
-  options.find_features = job.nominal->findsFeatures();
+  const auto by_kind = [](const LocalTolerance& local) { return local.kind.has_value(); };
+  options.find_features =
+      job.nominal->findsFeatures() || std::any_of(options.local.begin(), options.local.end(), by_kind);
   progress.report("comparing", 0.0);
   Result<Comparison> comparison = compareToNominal(run.surface().mesh, nominal.mesh, options, progress);
   if (!comparison) return comparison.error();

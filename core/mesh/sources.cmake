@@ -5,6 +5,12 @@ target_sources(proveout_core PRIVATE
   mesh/crowded_places.cpp
   mesh/edge_collapser.cpp
   mesh/exact_meeting.cpp
+  mesh/faces/coordinate_rounding.cpp
+  mesh/faces/flat_facets.cpp
+  mesh/faces/found_faces.cpp
+  mesh/faces/round_fit.cpp
+  mesh/faces/round_regions.cpp
+  mesh/faces/tidy_faces.cpp
   mesh/flat_triangles.cpp
   mesh/intersections.cpp
   mesh/level_cut.cpp

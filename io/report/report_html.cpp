@@ -217,7 +217,7 @@ class Page {
     if (c.alignment)
       add("<p class=\"quiet\">Alignment by {}.</p>\n", escape(report_text::alignmentLine(*c.alignment)));
     add("<p class=\"quiet\">Nominal: <code>{}</code></p>\n</section>\n", escape(c.nominal));
-    out_ += report_html::featureTable(c.features, kMaxRows);
+    out_ += report_html::featureTable(c.features, c.features_found, kMaxRows);
   }
 
   void setups() {

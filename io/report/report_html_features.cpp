@@ -75,7 +75,7 @@ std::string rowText(const Row& row, bool first) {
 
 }  // namespace feature_table
 
-std::string featureTable(const std::vector<ReportFeature>& features, std::size_t most_rows) {
+std::string featureTable(const std::vector<ReportFeature>& features, bool found, std::size_t most_rows) {
   using namespace feature_table;
   std::vector<Row> rows;
   for (const ReportFeature& feature : features) {
@@ -105,6 +105,10 @@ std::string featureTable(const std::vector<ReportFeature>& features, std::size_t
   if (all > rows.size())
     out += fmt::format("<p class=\"quiet\">{} more are in report.json; all that failed {}.</p>\n",
                        all - rows.size(), failures <= rows.size() ? "are above" : "are there");
+  if (found)
+    out +=
+        "<p class=\"quiet\">The nominal is a mesh: its faces were found in the facets, and their sizes are "
+        "exact to the facets' chord.</p>\n";
   return out + "</section>\n";
 }
 

@@ -27,8 +27,8 @@ std::string viewScript(const ReportView& view);
 /// The page's style sheet, without the tags around it.
 std::string_view styleSheet();
 /// The table of features and their dimensions, a row a dimension; "" where there is none. No more than
-/// `most_rows` of them: failed ones are never left out before others.
-std::string featureTable(const std::vector<ReportFeature>& features, std::size_t most_rows);
+/// `most_rows` of them: failed ones are never left out before others. `found`: in facets.
+std::string featureTable(const std::vector<ReportFeature>& features, bool found, std::size_t most_rows);
 /// Histogram of the deviations as SVG, area on a logarithmic scale; "" if there is nothing to draw.
 std::string histogramSvg(const ReportComparison& comparison);
 /// Material removal rate over the machining time as SVG; "" if there is nothing to draw.

@@ -274,7 +274,10 @@ Json comparisonJson(const ReportComparison& c) {
   if (c.scan) out["scan"] = scanJson(*c.scan);
   out["histogram"] = {{"edges_mm", numbersJson(c.histogram_edges_mm)},
                       {"area_mm2", numbersJson(c.histogram_area_mm2)}};
-  if (!c.features.empty()) out["features"] = featuresJson(c.features);
+  if (!c.features.empty()) {
+    out["features"] = featuresJson(c.features);
+    out["features_found"] = c.features_found;
+  }
   return out;
 }
 

@@ -22,6 +22,7 @@
 #include "removal/compare/difference_volume.h"
 #include "removal/compare/features/face_fits.h"
 #include "removal/compare/features/face_network.h"
+#include "removal/compare/features/found_features.h"
 #include "removal/compare/features/measured_features.h"
 #include "removal/compare/features/recognition.h"
 #include "removal/compare/local_tolerance.h"
@@ -111,6 +112,13 @@ class Asked {
 
   TreedSurface machined() { return {&surface(), &distance().tree()}; }
   TreedSurface nominalSurface() const { return {&nominal.surface, &nominal.distance.tree()}; }
+  /// What features are measured on: where there is no exact part, and the mesh is taken as exact, faces are
+  /// looked for in it, too, if `find` says so.
+  const ExactPart& partOfFeatures(bool find) {
+    if (options_.part != nullptr || options_.uncertainty_mm > 0.0 || !find) return part();
+    if (!faced_part_) faced_part_.emplace(distance(), facesInFacets(machined_).faces);
+    return *faced_part_;
+  }
   /// The exact part, or the mesh where there is none.
   const ExactPart& part() {
     if (options_.part != nullptr) return *options_.part;
@@ -133,6 +141,7 @@ class Asked {
   std::optional<SurfaceMesh> surface_;
   std::optional<SignedDistance> distance_;
   std::optional<MeshPart> mesh_part_;
+  std::optional<FacedPart> faced_part_;
 };
 
 /// Depth times area is short at edges, where the surfaces do not run side by side: what lies between them is
@@ -270,23 +279,33 @@ double largestBound(const BothSides& sides, double tolerance) {
   return largest;
 }
 
-/// The features of the model, and what the part has in their place.
-void tellFeatures(const TriMesh& nominal, const SampleMesh& goal, const CadFaces& faces,
-                  const ExactPart& part, Comparison& out) {
-  constexpr double kSmooth = degToRad(3.0);
-  out.face_fits = fitFaces(goal, faces, part);
-  out.features = recognizeFeatures(FaceNetwork(nominal, faces, kSmooth), FaceAccuracy{});
-  measureFeatures(faces, out.face_fits, part, out.features);
+/// The faces of the model, or those found in its facets.
+KnownFaces knownFaces(const TriMesh& nominal, const CompareOptions& o) {
+  if (o.nominal_faces != nullptr || !o.find_features) return {o.nominal_faces, FaceAccuracy{}, false};
+  return facesInFacets(nominal);
 }
 
-Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& o,
+/// The features of the model, and what the part has in their place.
+void tellFeatures(const TriMesh& nominal, const SampleMesh& goal, const KnownFaces& known,
+                  const ExactPart& part, Comparison& out) {
+  constexpr double kSmooth = degToRad(3.0);
+  out.face_fits = fitFaces(goal, *known.faces, part);
+  out.features = recognizeFeatures(FaceNetwork(nominal, *known.faces, kSmooth), known.accuracy);
+  measureFeatures(*known.faces, out.face_fits, part, out.features);
+}
+
+Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, const CompareOptions& asked_for,
                            Progress& progress) {
   const Error interrupted{ErrorKind::kInterrupted, "comparison interrupted"};
   const std::size_t samples =
       alike(meshBounds(machined), meshBounds(nominal)) ? kMaxSampleTriangles : kMaxOddSampleTriangles;
-  // First what takes most memory while it is made.
-  const auto shared_model =
-      std::make_shared<const NominalModel>(nominal, 0.5 * o.resolution_mm, o.nominal_faces.get());
+  // First what takes most memory while it is made. Deviations are measured to faces that a CAD model tells;
+  // those found in facets give names and features alone.
+  const auto shared_model = std::make_shared<const NominalModel>(nominal, 0.5 * asked_for.resolution_mm,
+                                                                 asked_for.nominal_faces.get());
+  const KnownFaces known = knownFaces(nominal, asked_for);
+  CompareOptions o = asked_for;
+  o.nominal_faces = known.faces;
   // Meshes of a grid have edges up to about 1.5 spacings long: those are sampled by their corners.
   SampleMesh part = makeSampleMesh(machined, 1.5 * o.resolution_mm, samples);
   const SampleMesh goal = makeSampleMesh(nominal, o.resolution_mm, samples);
@@ -299,7 +318,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   Comparison out;
   out.gouge_tolerance_mm = o.gouge_mm;
   out.excess_tolerance_mm = o.excess_mm;
-  out.nominal_faces = o.nominal_faces;
+  out.nominal_faces = known.faces;
+  out.faces_found = known.found;
   fillStatistics(sides, out);
   Box3 box = meshBounds(machined);
   box.extend(meshBounds(nominal));
@@ -309,8 +329,8 @@ Result<Comparison> compare(const TriMesh& machined, const TriMesh& nominal, cons
   const CompareOptions least = withLeastTolerances(o);
   out.largest_bound_mm = largestBound(sides, std::min(least.gouge_mm, least.excess_mm));
   judgeSides(sides, asked, o, out);
-  if (o.nominal_faces != nullptr && o.measure_features)
-    tellFeatures(nominal, goal, *o.nominal_faces, asked.part(), out);
+  if (known.faces != nullptr && o.measure_features)
+    tellFeatures(nominal, goal, known, asked.partOfFeatures(o.find_features), out);
   sortByDepth(out.patches);
   sortByDepth(out.undecided);
   for (const DeviationKind kind : {DeviationKind::kGouge, DeviationKind::kExcess})

@@ -18,6 +18,7 @@ proveout_add_library(compare
   compare/fit/model_frame.cpp
   compare/fit/point_cells.cpp
   compare/fit/scan.cpp
+  compare/features/found_features.cpp
   compare/features/general_tolerance.cpp
   compare/features/hole_finder.cpp
   compare/features/judgement.cpp

@@ -24,13 +24,23 @@ void addMeshWarnings(const std::vector<std::string>& texts, const std::string& c
 
 namespace {
 
+/// The faces of a mesh may be found in its facets, but they have no names.
+Status checkNameless(const NominalSpec& nominal) {
+  const auto refused = [&](const char* table) {
+    return inputError(nominal.mesh.path + ": " + table +
+                      " with `face` needs a STEP file: the faces of a mesh have no names");
+  };
+  for (const LocalTolerance& local : nominal.local)
+    if (!local.face.empty()) return refused("[[nominal.tolerance]]");
+  for (const CharacteristicRule& rule : nominal.characteristics)
+    if (!rule.face.empty()) return refused("[[characteristic]]");
+  return Done{};
+}
+
 /// Tolerances for faces that the model does not have are a mistake.
 Status checkLocalTolerances(const NominalSpec& nominal, const CadFaces* faces) {
+  if (faces == nullptr) return checkNameless(nominal);
   for (const LocalTolerance& local : nominal.local) {
-    if (faces == nullptr && (local.kind || !local.face.empty()))
-      return inputError(nominal.mesh.path +
-                        ": [[nominal.tolerance]] with `kind` or `face` needs a STEP file: the faces of a "
-                        "mesh are not known");
     if (local.face.empty()) continue;
     const bool there = std::any_of(faces->faces.begin(), faces->faces.end(),
                                    [&](const CadFace& face) { return isNamed(face, local.face); });

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace proveout {
-namespace {
+namespace rounding_detail {
 
 /// So many coordinates are looked at, spread over the mesh.
 constexpr std::size_t kMostLookedAt = 30'000;
@@ -35,9 +35,10 @@ bool allShort(const std::vector<double>& values, int digits) {
   });
 }
 
-}  // namespace
+}  // namespace rounding_detail
 
 double coordinateRounding(const TriMesh& mesh) {
+  using namespace rounding_detail;
   constexpr double kInch = 25.4;
   constexpr int kFewestDecimals = 3, kMostDecimals = 6, kFewestDigits = 5, kMostDigits = 6;
   constexpr double kNotable = 8.0;  // a grid as fine as single precision itself is none
