@@ -91,6 +91,7 @@ CadFace CadFace::placed(const MeshPlacement& placement) const {
   out.axis = placement.motion().rotation * axis;
   out.radius *= placement.scale;
   out.tube_radius *= placement.scale;
+  out.residual_mm *= placement.scale;
   return out;
 }
 

@@ -21,12 +21,13 @@ struct CadFace {
   Vec3 origin = Vec3::Zero();
   /// Unit. Of a plane: the normal that points out of the material; of a cone: towards the wide end.
   Vec3 axis = Vec3::UnitZ();
-  double radius = 0.0;                         ///< mm; of a cone: at `origin`; of a torus: of its ring
-  double tube_radius = 0.0;                    ///< of a torus, mm
-  double half_angle_rad = 0.0;                 ///< of a cone, 0..pi/2
-  double turn_rad = 0.0;                       ///< of cylinder and cone: how far round it goes, 0..2 pi
-  bool hollow = false;                         ///< the material lies outside of the round: a hole, a fillet
-  std::string name;                            ///< as the file has it; may be empty
+  double radius = 0.0;          ///< mm; of a cone: at `origin`; of a torus: of its ring
+  double tube_radius = 0.0;     ///< of a torus, mm
+  double half_angle_rad = 0.0;  ///< of a cone, 0..pi/2
+  double turn_rad = 0.0;        ///< of cylinder and cone: how far round it goes, 0..2 pi
+  bool hollow = false;          ///< the material lies outside of the round: a hole, a fillet
+  double residual_mm = 0.0;     ///< of one found in facets: how far their corners are off it at most
+  std::string name;             ///< as the file has it; may be empty
   std::optional<std::array<float, 3>> colour;  ///< red, green, blue, 0..1
 
   /// Signed distance of a point to the face's surface without its borders, mm; > 0 outside of the material.

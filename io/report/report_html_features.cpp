@@ -105,10 +105,15 @@ std::string featureTable(const std::vector<ReportFeature>& features, bool found,
   if (all > rows.size())
     out += fmt::format("<p class=\"quiet\">{} more are in report.json; all that failed {}.</p>\n",
                        all - rows.size(), failures <= rows.size() ? "are above" : "are there");
-  if (found)
-    out +=
-        "<p class=\"quiet\">The nominal is a mesh: its faces were found in the facets, and their sizes are "
-        "exact to the facets' chord.</p>\n";
+  if (found) {
+    double residual = 0.0;
+    for (const ReportFeature& feature : features)
+      residual = std::max(residual, feature.residual_mm.value_or(0.0));
+    out += fmt::format(
+        "<p class=\"quiet\">The nominal is a mesh: its faces were found in the facets, whose corners lie within "
+        "{:.2g} mm of them. Sizes are exact to the facets' chord.</p>\n",
+        residual);
+  }
   return out + "</section>\n";
 }
 

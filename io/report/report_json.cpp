@@ -231,6 +231,7 @@ Json featuresJson(const std::vector<ReportFeature>& features) {
                    {"at", numbersJson({feature.at.x(), feature.at.y(), feature.at.z()})},
                    {"missing", feature.missing},
                    {"characteristics", rows}});
+    if (feature.residual_mm) out.back()["residual_mm"] = number(*feature.residual_mm);
   }
   return out;
 }

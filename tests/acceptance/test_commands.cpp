@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -335,6 +336,49 @@ TEST(Commands, CompareRefusesWhatIsNoScan) {
   const Outcome far = bench.run("compare cad.obj far.ply --scan");
   EXPECT_EQ(far.exit_code, 1);
   EXPECT_TRUE(has(far.err, "the scan does not lie where the model does")) << far.err;
+}
+
+/// A bush of that bore about Z, 20 in diameter and 10 high, as facets of 5 degrees.
+std::string bushObj(double bore) {
+  constexpr int kSectors = 72;
+  std::string text, faces;
+  for (int i = 0; i < kSectors; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kSectors;
+    for (const double radius : {10.0, 0.5 * bore})
+      for (const int z : {0, 10})
+        text += "v " + std::to_string(radius * std::cos(angle)) + " " +
+                std::to_string(radius * std::sin(angle)) + " " + std::to_string(z) + "\n";
+    const auto corner = [&](int sector, int k) {
+      return " " + std::to_string(4 * (sector % kSectors) + k + 1);
+    };
+    // Outside, top, bore, bottom: from this sector to the next one.
+    for (const auto& [low, high] : {std::pair(0, 1), std::pair(1, 3), std::pair(3, 2), std::pair(2, 0)})
+      faces += "f" + corner(i, low) + corner(i + 1, low) + corner(i + 1, high) + corner(i, high) + "\n";
+  }
+  return text + faces;
+}
+
+TEST(Commands, CompareFindsFeaturesInMeshes) {
+  const Workbench bench;
+  bench.write("part.obj", bushObj(8.5));
+  bench.write("cad.obj", bushObj(8.0));
+  const Outcome bad = bench.run("compare part.obj cad.obj --general-tolerance m --gouge 1 --json");
+  EXPECT_EQ(bad.exit_code, 1) << bad.err;
+  const json comparison = json::parse(bad.out)["comparison"];
+  EXPECT_TRUE(comparison["features_found"].get<bool>());
+  const json& hole = comparison["features"][0];
+  EXPECT_EQ(hole["feature"], "through hole of diameter 8 at X0.000 Y0.000");
+  EXPECT_LT(hole["residual_mm"].get<double>(), 1e-4);
+  EXPECT_EQ(hole["characteristics"][0]["name"], "diameter");
+  EXPECT_NEAR(hole["characteristics"][0]["nominal"].get<double>(), 8.0, 1e-4);
+  EXPECT_NEAR(hole["characteristics"][0]["measured"].get<double>(), 8.5, 1e-3);
+  EXPECT_EQ(hole["characteristics"][0]["verdict"], "fail");
+  EXPECT_TRUE(has(bad.err, "diameter of the through hole of diameter 8")) << bad.err;
+  EXPECT_EQ(bench.run("compare cad.obj cad.obj --general-tolerance mK").exit_code, 0);
+  // Nobody asked for features: none are looked for.
+  const Outcome plain = bench.run("compare part.obj cad.obj --gouge 1 --json");
+  EXPECT_EQ(plain.exit_code, 0);
+  EXPECT_FALSE(json::parse(plain.out)["comparison"].contains("features"));
 }
 
 TEST(Commands, RenderDrawsAMeshAndAHeatMap) {

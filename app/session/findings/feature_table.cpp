@@ -103,6 +103,11 @@ std::vector<ReportFeature> featureTable(const Comparison& comparison, const Feat
     row.feature = feature.name;
     row.at = feature.at;
     row.missing = feature.missing;
+    if (comparison.faces_found) {
+      row.residual_mm = 0.0;
+      for (const std::uint32_t f : feature.faces)
+        row.residual_mm = std::max(*row.residual_mm, comparison.nominal_faces->faces[f].residual_mm);
+    }
     for (std::size_t i = 0; i < feature.characteristics.size(); ++i)
       row.characteristics.push_back(rowOf(feature.characteristics[i], judgement.features[k][i], tolerances));
     out.push_back(std::move(row));

@@ -180,7 +180,7 @@ void countTurns(const TriMesh& mesh, CadFaces& faces) {
   for (const auto& [face, counter] : counters) faces.faces[face].turn_rad = counter.turn();
 }
 
-/// Numbers the faces by their first triangles.
+/// Numbers the faces by their first triangles; tells their residuals.
 void tell(const FlatFacets& facets, const Draft& draft, FoundFaces& out) {
   const TriMesh& mesh = facets.mesh();
   std::vector<std::uint32_t> number(draft.faces.size(), kNoFace);
@@ -192,10 +192,16 @@ void tell(const FlatFacets& facets, const Draft& draft, FoundFaces& out) {
       number[face] = static_cast<std::uint32_t>(out.faces.faces.size());
       const FittedFace& fitted = draft.faces[face];
       out.faces.faces.push_back(fitted.face);
-      const bool known = fitted.face.kind != SurfaceKind::kOther;
-      out.residual_mm.push_back(known ? residualOf(fitted.face, fitted.points) : 0.0);
     }
     out.faces.of_triangle[t] = number[face];
+  }
+  for (std::uint32_t f = 0; f < facets.size(); ++f) {
+    if (draft.face_of[f] == kNoFace) continue;
+    CadFace& face = out.faces.faces[number[draft.face_of[f]]];
+    if (face.kind == SurfaceKind::kOther) continue;
+    for (const FacetCorner& corner : facets.corners(f))
+      if (corner.on_curve || face.kind == SurfaceKind::kPlane)
+        face.residual_mm = std::max(face.residual_mm, std::abs(face.distance(facets.point(corner.vertex))));
   }
   countTurns(mesh, out.faces);
 }

@@ -10,10 +10,8 @@ namespace proveout {
 
 struct FoundFaces {
   /// Planes, cylinders, cones, spheres and tori; what is none of these, but smooth, is of kOther. In the
-  /// order of their first triangles.
+  /// order of their first triangles, with their residuals.
   CadFaces faces;
-  /// Per face: how far corners of its facets that stand for it are off it at most, mm; 0 for kOther.
-  std::vector<double> residual_mm;
   /// How far the facets of round faces leave these, mm.
   double chord_mm = 0.0;
   /// How exactly faces are known: what corners were allowed to be off, mm. From how the coordinates are

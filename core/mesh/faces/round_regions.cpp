@@ -201,13 +201,15 @@ RoundSearch::Start RoundSearch::start(SurfaceKind kind, std::vector<std::uint32_
 /// Adds neighbours that lie on the face, from the region's facets on. What a few facets say of the others is
 /// not exact: there more is allowed until they are part of the fit.
 void RoundSearch::spread(FacetRegion& region, double chord) {
-  constexpr std::size_t kFew = 24;
-  constexpr double kDoubt = 4.0;
-  const auto after = [](std::size_t size) { return size < kFew ? size + 2 : 2 * size; };
+  constexpr std::size_t kFew = 24, kSome = 400;
+  const auto after = [](std::size_t size) { return size < kFew ? size + 2 : size + size / 2; };
+  const auto allowed = [this](std::size_t size) {
+    return (size < kFew ? 4.0 : size < kSome ? 2.0 : 1.0) * near_;
+  };
   std::size_t next_fit = after(region.facets.size());
   for (std::size_t k = 0; k < region.facets.size(); ++k) {
     for (const FacetLink& link : facets_.links(region.facets[k])) {
-      const double near = region.facets.size() < kFew ? kDoubt * near_ : near_;
+      const double near = allowed(region.facets.size());
       if (taken_[link.other] || in_.has(link.other) || link.turn > kSteepTurn ||
           !lies(link.other, region.face, chord, near))
         continue;
@@ -240,7 +242,8 @@ bool RoundSearch::refit(FacetRegion& region, std::size_t points, double chord) {
 }
 
 std::optional<FacetRegion> RoundSearch::grow(std::vector<std::uint32_t> of, CadFace face, double chord) {
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 12;
+  constexpr double kStill = 1.02;  // hardly grown
   in_.clear();
   for (const std::uint32_t f : of) in_.add(f);
   FacetRegion region;
@@ -250,7 +253,7 @@ std::optional<FacetRegion> RoundSearch::grow(std::vector<std::uint32_t> of, CadF
     const std::size_t before = region.facets.size();
     spread(region, chord);
     if (!refit(region, kLastPoints, chord)) return std::nullopt;
-    if (region.facets.size() == before) break;
+    if (static_cast<double>(region.facets.size()) <= kStill * static_cast<double>(before)) break;
   }
   return accepted(region) ? std::optional(std::move(region)) : std::nullopt;
 }

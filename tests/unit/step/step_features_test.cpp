@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 #include <set>
 
 #include "app/session/findings/feature_table.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "core/mesh/signed_distance.h"
+#include "io/mesh_io.h"
 #include "removal/compare/compare.h"
 #include "tests/unit/io/temp_folder.h"
 #include "tests/unit/step/feature_part.h"
@@ -68,6 +70,28 @@ class StepFeatures : public testing::Test {
     EXPECT_TRUE(result) << (result ? "" : result.error().message);
     return result ? std::move(*result) : Comparison();
   }
+  /// The same part as a binary STL file.
+  PreparedMesh facetsOf(const PreparedMesh& model, const std::string& name) const {
+    EXPECT_TRUE(writeMesh(model.mesh, folder_.path(name), MeshFormat::kStlBinary));
+    NominalSpec spec;
+    spec.mesh.path = folder_.path(name);
+    Result<PreparedMesh> out = loadNominal(spec);
+    EXPECT_TRUE(out) << (out ? "" : out.error().message);
+    return out ? std::move(*out) : PreparedMesh();
+  }
+  /// `part`: null: the machined mesh is all that is known.
+  static Comparison comparedToFacets(const PreparedMesh& machined, const PreparedMesh& nominal,
+                                     std::shared_ptr<const ExactPart> part) {
+    CompareOptions options;
+    options.gouge_mm = options.excess_mm = 0.02;
+    options.resolution_mm = 1.0;
+    options.find_features = true;
+    options.part = std::move(part);
+    Progress progress;
+    Result<Comparison> result = compareToNominal(machined.mesh, nominal.mesh, options, progress);
+    EXPECT_TRUE(result) << (result ? "" : result.error().message);
+    return result ? std::move(*result) : Comparison();
+  }
   static std::vector<ReportFeature> tableOf(const Comparison& comparison) {
     FeatureTolerances tolerances;
     tolerances.gouge_mm = tolerances.excess_mm = 0.02;
@@ -112,6 +136,113 @@ TEST_F(StepFeatures, EveryDimensionOfTheShaftIsThatOfItsModel) {
   for (const ReportFeature& feature : table)
     for (const ReportCharacteristic& c : feature.characteristics)
       EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 2e-3) << feature.feature << " " << c.name;
+}
+
+/// Every row of the model's table is in that of its facets, with the same values but for the chord.
+void expectSameRows(const std::vector<ReportFeature>& model, const std::vector<ReportFeature>& facets) {
+  constexpr double kChord = 0.02, kDegrees = 0.05;
+  std::map<std::string, const ReportFeature*> of_facets;
+  for (const ReportFeature& feature : facets)
+    EXPECT_TRUE(of_facets.emplace(feature.feature, &feature).second) << feature.feature;
+  EXPECT_EQ(facets.size(), model.size());
+  for (const ReportFeature& feature : model) {
+    const auto found = of_facets.find(feature.feature);
+    ASSERT_NE(found, of_facets.end()) << feature.feature;
+    const ReportFeature& other = *found->second;
+    EXPECT_EQ(other.kind, feature.kind) << feature.feature;
+    EXPECT_EQ(other.missing, feature.missing) << feature.feature;
+    EXPECT_LT((other.at - feature.at).norm(), 0.5) << feature.feature;
+    std::map<std::string, const ReportCharacteristic*> rows;
+    for (const ReportCharacteristic& c : other.characteristics) rows.emplace(c.part + "/" + c.name, &c);
+    EXPECT_EQ(other.characteristics.size(), feature.characteristics.size()) << feature.feature;
+    for (const ReportCharacteristic& c : feature.characteristics) {
+      const auto row = rows.find(c.part + "/" + c.name);
+      ASSERT_NE(row, rows.end()) << feature.feature << " " << c.part << " " << c.name;
+      const double near = c.unit == "deg" ? kDegrees : kChord;
+      EXPECT_NEAR(row->second->nominal, c.nominal, near) << feature.feature << " " << c.part << " " << c.name;
+      ASSERT_EQ(row->second->measured.has_value(), c.measured.has_value())
+          << feature.feature << " " << c.name;
+      if (c.measured)
+        EXPECT_NEAR(*row->second->measured, *c.measured, near)
+            << feature.feature << " " << c.part << " " << c.name;
+    }
+  }
+}
+
+/// Parts with some errors, so that what is measured is not what is nominal.
+FeaturePartSizes wrongPlate() {
+  FeaturePartSizes sizes;
+  sizes.through_d = 8.05;
+  sizes.blind_depth = 12.06;
+  sizes.step_d = 12.1;
+  sizes.pocket_w = 24.1;
+  sizes.boss_x = 100.1;
+  sizes.seat_r = 5.9;
+  sizes.drill_d = 0;
+  return sizes;
+}
+ShaftSizes wrongShaft() {
+  ShaftSizes sizes;
+  sizes.d1 = 30.05;
+  sizes.bore_depth = 18.2;
+  sizes.groove_r = 2.1;
+  return sizes;
+}
+
+TEST_F(StepFeatures, FacetsOfThePlateHaveTheSameRows) {
+  const PreparedMesh nominal = model(featurePart(), "nominal.step");
+  const PreparedMesh part = model(featurePart(wrongPlate()), "part.step");
+  const Comparison exact = compared(part, nominal);
+  const Comparison facets =
+      comparedToFacets(part, facetsOf(nominal, "nominal.stl"), std::make_shared<ModelPart>(part));
+  EXPECT_FALSE(exact.faces_found);
+  EXPECT_TRUE(facets.faces_found);
+  expectSameRows(tableOf(exact), tableOf(facets));
+  EXPECT_EQ(failed(tableOf(facets)).size(), failed(tableOf(exact)).size());
+}
+
+TEST_F(StepFeatures, FacetsOfTheShaftHaveTheSameRows) {
+  const PreparedMesh nominal = model(shaft(), "nominal.step");
+  const PreparedMesh part = model(shaft(wrongShaft()), "part.step");
+  const Comparison facets =
+      comparedToFacets(part, facetsOf(nominal, "nominal.stl"), std::make_shared<ModelPart>(part));
+  expectSameRows(tableOf(compared(part, nominal)), tableOf(facets));
+}
+
+/// Both as STL: the part is measured to the faces of its own facets.
+TEST_F(StepFeatures, FacetsOfBothPartsHaveTheSameRows) {
+  const PreparedMesh nominal = model(featurePart(), "nominal.step");
+  const PreparedMesh part = model(featurePart(wrongPlate()), "part.step");
+  const Comparison facets =
+      comparedToFacets(facetsOf(part, "part.stl"), facetsOf(nominal, "nominal.stl"), nullptr);
+  expectSameRows(tableOf(compared(part, nominal)), tableOf(facets));
+}
+
+/// Deviations are measured to the facets, whatever is found in them.
+TEST_F(StepFeatures, FoundFacesLeaveTheVerdictAlone) {
+  const PreparedMesh nominal = facetsOf(model(featurePart(), "nominal.step"), "nominal.stl");
+  const PreparedMesh part = model(featurePart(wrongPlate()), "part.step");
+  const auto exact = std::make_shared<ModelPart>(part);
+  const Comparison with = comparedToFacets(part, nominal, exact);
+  CompareOptions options;
+  options.gouge_mm = options.excess_mm = 0.02;
+  options.resolution_mm = 1.0;
+  options.part = exact;
+  Progress progress;
+  const Result<Comparison> without = compareToNominal(part.mesh, nominal.mesh, options, progress);
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(without->faces_found);
+  EXPECT_TRUE(without->features.empty());
+  EXPECT_EQ(with.max_gouge_mm, without->max_gouge_mm);
+  EXPECT_EQ(with.max_excess_mm, without->max_excess_mm);
+  EXPECT_EQ(with.rms_mm, without->rms_mm);
+  EXPECT_EQ(with.nominal_chord_mm, without->nominal_chord_mm);
+  ASSERT_EQ(with.patches.size(), without->patches.size());
+  for (std::size_t k = 0; k < with.patches.size(); ++k) {
+    EXPECT_EQ(with.patches[k].depth_mm, without->patches[k].depth_mm);
+    EXPECT_EQ(with.patches[k].bound_mm, without->patches[k].bound_mm);
+    EXPECT_NE(with.patches[k].face, kNoFace);
+  }
 }
 
 /// A planted error: what is changed, the feature whose rows fail, and one of these.

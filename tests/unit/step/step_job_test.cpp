@@ -5,8 +5,10 @@
 
 #include <fstream>
 
+#include "app/session/nominal/nominal_mesh.h"
 #include "app/session/run/job_defaults.h"
 #include "app/session/session.h"
+#include "io/mesh_io.h"
 #include "tests/unit/io/temp_folder.h"
 #include "tests/unit/step/step_parts.h"
 
@@ -34,7 +36,8 @@ class StepJob : public testing::Test {
   }
   /// The pocket is cut with a circle of that radius about its middle.
   Result<RunResult> run(double circle, bool drills = true) {
-    const std::optional<Job> read = job("file = \"blank.stp\"\nbody = \"blank\"", "mesh = \"part.step\"");
+    const std::optional<Job> read =
+        job("file = \"blank.stp\"\nbody = \"blank\"", fmt::format("mesh = \"{}\"", nominal_));
     if (!read) return inputError(diagnostics_.all().front().message);
     const MemoryProgramSource program(
         "part.nc",
@@ -56,6 +59,16 @@ class StepJob : public testing::Test {
   }
   io_test::TempFolder folder_;
   Diagnostics diagnostics_;
+  /// From here on the nominal is the same part as an STL file.
+  void takeFacets() {
+    NominalSpec spec;
+    spec.mesh.path = folder_.path("part.step");
+    const Result<PreparedMesh> model = loadNominal(spec);
+    ASSERT_TRUE(model);
+    ASSERT_TRUE(writeMesh(model->mesh, folder_.path("part.stl"), MeshFormat::kStlBinary));
+    nominal_ = "part.stl";
+  }
+  std::string nominal_ = "part.step";
   std::string extra_;  ///< behind [nominal]
 };
 
@@ -127,6 +140,57 @@ TEST_F(StepJob, CharacteristicsOfTheJobFailWithTheBlockToBlame) {
   EXPECT_NEAR(*finding.depth_mm, 0.01, 1e-4);
   ASSERT_TRUE(finding.source.has_value());
   EXPECT_EQ(finding.source->block, 6);
+}
+
+TEST_F(StepJob, FeaturesOfFacetsAreMeasuredWhereTheyAreAskedFor) {
+  takeFacets();
+  EXPECT_TRUE(run(3.0)->comparison->features.empty());
+  for (const char* asked : {"features = true\n", "general_tolerance = \"m\"\n"}) {
+    extra_ = asked;
+    const Result<RunResult> result = run(3.0);
+    ASSERT_TRUE(result) << result.error().message;
+    EXPECT_TRUE(result->comparison->faces_found);
+    EXPECT_GE(result->comparison->features.size(), 7u);
+    for (const Feature& feature : result->comparison->features)
+      for (const Characteristic& c : feature.characteristics)
+        EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 2e-3)
+            << feature.name << " " << quantityName(c.quantity);
+    for (const Finding& finding : result->findings) EXPECT_NE(finding.kind, FindingKind::kCharacteristic);
+  }
+}
+
+TEST_F(StepJob, CharacteristicsOfFacetsFailWithTheBlockToBlame) {
+  takeFacets();
+  extra_ =
+      "[[characteristic]]\nname = \"seat\"\nat = [20, 20, 8]\nfeature = \"hole\"\nwhat = \"diameter\"\n"
+      "tolerance = 0.04\n";
+  const Result<RunResult> result = run(3.1);
+  ASSERT_TRUE(result) << result.error().message;
+  const Finding* found = nullptr;
+  for (const Finding& finding : result->findings)
+    if (finding.kind == FindingKind::kCharacteristic) found = &finding;
+  ASSERT_NE(found, nullptr);
+  EXPECT_THAT(found->message, HasSubstr("off 16 (allowed -0.04 to +0.04, seat)"));
+  EXPECT_NEAR(found->depth_mm.value_or(0.0), 0.2, 2e-3);
+  ASSERT_TRUE(found->source.has_value());
+  EXPECT_EQ(found->source->block, 6);
+  // Deviations name the feature, too.
+  EXPECT_THAT(featureOf(*result, FindingKind::kGouge), HasSubstr("hole of diameter 16 at X20.000 Y20.000"));
+}
+
+TEST_F(StepJob, FacesOfFacetsHaveAKindButNoName) {
+  takeFacets();
+  extra_ = "[[nominal.tolerance]]\nkind = \"cylinder\"\ngouge = 0.2\n";
+  EXPECT_TRUE(run(3.1)->comparison->pass());
+  extra_ = "[[nominal.tolerance]]\nkind = \"plane\"\ngouge = 0.2\n";
+  EXPECT_FALSE(run(3.1)->comparison->pass());
+  for (const char* named : {"[[nominal.tolerance]]\nface = \"seat\"\ngouge = 0.2\n",
+                            "[[characteristic]]\nface = \"seat\"\nwhat = \"diameter\"\ntolerance = 0.1\n"}) {
+    extra_ = named;
+    const Result<RunResult> refused = run(3.0);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().message, HasSubstr("the faces of a mesh have no names"));
+  }
 }
 
 TEST_F(StepJob, AMissingHoleIsToldAsOne) {
