@@ -67,7 +67,8 @@ std::optional<CadFace> guessCone(const FlatFacets& facets, std::span<const std::
     m += off * off.transpose();
   }
   const LeastDirection axis = leastOf(m);
-  if (!(axis.next > 1e-9) || !(leastOf(planes).least > 1e-9)) return std::nullopt;
+  constexpr double kClear = 1e-7;  // else it is a cylinder's, as far as these few say
+  if (!(axis.next > kClear) || !(leastOf(planes).least > 1e-9)) return std::nullopt;
   const Vec3 tip = from + planes.ldlt().solve(b);
   CadFace out;
   out.kind = SurfaceKind::kCone;

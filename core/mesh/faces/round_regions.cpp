@@ -167,7 +167,8 @@ RoundSearch::Start RoundSearch::start(SurfaceKind kind, std::vector<std::uint32_
     if (points.size() < freedomOf(kind) + (kind == SurfaceKind::kSphere ? 2 : 3))
       return {std::nullopt, attempt == 0, 0.0};
     std::optional<CadFace> face = guessRound(kind, facets_, of, points);
-    if (!face || !fitRound(points, true, *face)) return {};
+    if (!face) return {std::nullopt, attempt == 0, 0.0};
+    if (!fitRound(points, true, *face)) return {};
     orient(of, *face);
     const double chord = std::min(kMostSoftChord, kChordRatio * chordOf(of, *face) + near_);
     std::vector<std::uint32_t> kept;
@@ -299,7 +300,6 @@ double areaOf(const FlatFacets& facets, const FacetRegion& region) {
 std::optional<FacetRegion> RoundSearch::bestAt(std::uint32_t seed) {
   /// A kind with one more number has to have so much more of the surface.
   constexpr double kMore = 1.15;
-  constexpr std::size_t kMost = 48;
   // The two longest neighbours alike: those of a strip.
   std::vector<std::uint32_t> strip = {seed};
   std::vector<FacetLink> links(facets_.links(seed).begin(), facets_.links(seed).end());
@@ -307,14 +307,20 @@ std::optional<FacetRegion> RoundSearch::bestAt(std::uint32_t seed) {
   std::stable_sort(links.begin(), links.end(),
                    [](const FacetLink& a, const FacetLink& b) { return a.length > b.length; });
   for (std::size_t k = 0; k < std::min<std::size_t>(2, links.size()); ++k) strip.push_back(links[k].other);
-  const std::array<std::vector<std::uint32_t>, 4> sets = {strip, around(seed, 1, kMost),
-                                                          around(seed, 2, kMost), around(seed, 5, kMost)};
+  // Larger ones only where what is smaller leaves open how the face goes on.
+  struct Reach {
+    int rings;
+    std::size_t most;
+  };
+  constexpr std::array<Reach, 5> kReach = {{{0, 0}, {1, 48}, {2, 48}, {5, 48}, {16, 600}}};
+  std::array<std::vector<std::uint32_t>, kReach.size()> sets = {strip};
   std::optional<FacetRegion> best;
   double most = 0.0;
   for (const SurfaceKind kind : kKinds) {
     const bool strips = kind == SurfaceKind::kCylinder || kind == SurfaceKind::kCone;
     for (std::size_t k = strips ? 0 : 1; k < sets.size(); ++k) {
-      if (k > 0 && sets[k].size() == sets[k - 1].size()) continue;
+      if (k > 0 && sets[k].empty()) sets[k] = around(seed, kReach[k].rings, kReach[k].most);
+      if (k > 1 && sets[k].size() == sets[k - 1].size()) continue;
       std::vector<std::uint32_t> of = sets[k];
       const Start found = start(kind, of);
       if (found.few) continue;
