@@ -48,6 +48,9 @@ foreach(header
     removal/compare/features/face_fit removal/compare/features/feature removal/compare/features/general_tolerance
     removal/compare/features/judgement removal/compare/fit/alignment removal/compare/fit/datums removal/compare/fit/fit
     removal/compare/fit/scan removal/compare/part/part_feature
+    removal/compare/features/face_fit removal/compare/features/feature
+    removal/compare/features/general_tolerance removal/compare/features/judgement removal/compare/fit/alignment
+    removal/compare/part/part_feature
     app/session/forecast/prediction app/session/programs/interpretation app/session/run/blank
     app/session/run/interpreted app/session/run/job_defaults app/session/run/prepared_run
     app/session/run/recording_source app/session/run/run_result app/session/session)

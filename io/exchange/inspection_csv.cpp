@@ -36,7 +36,7 @@ class CsvRow {
     next();
     if (number >= 0) fmt::format_to(std::back_inserter(out_), "N{}", number);
   }
-  void end() { out_ += "\r\n"; }
+  void end() { out_ += "\n"; }
 
  private:
   void next() {
@@ -52,7 +52,7 @@ class CsvRow {
 std::string findingsCsv(const std::vector<Finding>& findings) {
   std::string out =
       "number,kind,severity,feature,setup,file,line,block,tool,x,y,z,depth_mm,area_mm2,volume_mm3,bound_mm,"
-      "spots,known,message\r\n";
+      "spots,known,message\n";
   std::int64_t number = 0;
   for (const Finding& f : findings) {
     CsvRow row(out);
@@ -78,7 +78,7 @@ std::string findingsCsv(const std::vector<Finding>& findings) {
 }
 
 std::string pointsCsvHeader() {
-  return "x,y,z,deviation_mm,nx,ny,nz,tolerance_mm,feature,setup,file,line,block,tool\r\n";
+  return "x,y,z,deviation_mm,nx,ny,nz,tolerance_mm,feature,setup,file,line,block,tool\n";
 }
 
 void appendPointsCsv(const DeviationPoint& point, std::string& out) {

@@ -1,5 +1,5 @@
-// findings.csv and points.csv: tables for spreadsheets and statistics (RFC 4180: commas, CRLF, quotes where
-// needed; UTF-8). Numbers have points; what is not known is empty.
+// findings.csv and points.csv: tables for spreadsheets and statistics (RFC 4180 with the line ends of
+// blocks.csv: commas, LF, quotes where needed; UTF-8). Numbers have points; what is not known is empty.
 #pragma once
 
 #include <optional>

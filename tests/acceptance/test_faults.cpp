@@ -30,10 +30,12 @@ nlohmann::json reportIn(const std::string& folder) {
 std::string flaw(const std::string& folder) {
   const nlohmann::json report = reportIn(folder);
   if (report.is_discarded()) return "report.json is cut short";
-  for (const auto& mesh : report["outputs"]["meshes"]) {
-    const std::string name = mesh["path"].get<std::string>();
-    const Result<std::string> hash = sha256OfFile(folder + "/" + name);
-    if (!hash || *hash != mesh["sha256"].get<std::string>()) return name + " is not that of the report";
+  for (const char* key : {"meshes", "data"}) {
+    for (const auto& file : report["outputs"][key]) {
+      const std::string name = file["path"].get<std::string>();
+      const Result<std::string> hash = sha256OfFile(folder + "/" + name);
+      if (!hash || *hash != file["sha256"].get<std::string>()) return name + " is not that of the report";
+    }
   }
   for (const auto& image : report["outputs"]["images"]) {
     const std::string png = readFile(folder + "/" + image["path"].get<std::string>());
@@ -56,7 +58,7 @@ std::set<std::string> leftovers(const std::string& folder) {
   std::set<std::string> found;
   for (const auto& entry : fs::directory_iterator(folder)) found.insert(entry.path().filename().string());
   for (const char* name : {"report.json", "report.html", "junit.xml"}) found.erase(name);
-  for (const char* key : {"meshes", "images"}) {
+  for (const char* key : {"meshes", "images", "data"}) {
     for (const auto& file : report["outputs"][key]) found.erase(file["path"].get<std::string>());
   }
   for (const auto& table : report["outputs"]["tables"]) found.erase(table.get<std::string>());

@@ -194,6 +194,7 @@ TEST_F(Fixture, OfFacetsTheProfileDecides) {
   Comparison comparison;
   comparison.gouge_tolerance_mm = 0.02;
   DeviationPatch unsure;
+  unsure.allowed_mm = 0.02;
   unsure.depth_mm = 0.015;
   unsure.bound_mm = 0.01;  // of a profile resolution of 0.1 mm: half would do, with a margin 0.4
   comparison.undecided = {unsure};
