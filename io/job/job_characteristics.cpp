@@ -55,6 +55,25 @@ void readLimits(ConfigTable& table, CharacteristicRule& rule) {
         fmt::format("{} is a zone: it has an upper limit of 0 or more alone", quantityName(*rule.quantity)));
 }
 
+/// A characteristic of the part as a whole: least and largest value, where it is looked for.
+PartRule readPartRule(ConfigTable& table, Quantity quantity) {
+  PartRule rule;
+  rule.quantity = quantity;
+  if (const auto name = table.text("name")) rule.name = *name;
+  table.must("what").choice("what", quantityNames());
+  constexpr NumberRange kAnyValue{0.0, 1e9, true};
+  rule.min = table.number("least", kAnyValue);
+  rule.max = table.number("most", kAnyValue);
+  if (!rule.min && !rule.max)
+    table.error("what", "job-missing",
+                fmt::format("{} has `least` or `most`, the allowed values", quantityName(quantity)));
+  if (rule.min && rule.max && *rule.min > *rule.max)
+    table.error("least", "job-value", "`least` is not above `most`");
+  if (hasRegion(table)) rule.region = readRegion(table, "what");
+  table.refuseOthers();
+  return rule;
+}
+
 CharacteristicRule readRule(ConfigTable& table) {
   CharacteristicRule rule;
   if (const auto name = table.text("name")) rule.name = *name;
@@ -89,6 +108,13 @@ void readFeatureKeys(ConfigTable& table, NominalSpec& nominal) {
 
 void readCharacteristics(ConfigTable& root, Job& job) {
   for (ConfigTable& table : root.tables("characteristic", 10'000)) {
+    const ConfigValue* what = table.find("what");
+    const std::optional<Quantity> quantity =
+        what == nullptr ? std::nullopt : quantityNamed(what->text);
+    if (quantity && isOfPart(*quantity)) {
+      job.part_characteristics.push_back(readPartRule(table, *quantity));
+      continue;
+    }
     CharacteristicRule rule = readRule(table);
     if (!job.nominal) {
       table.error("what", "job-missing", "characteristics are of the nominal: the job has no [nominal]");

@@ -390,7 +390,6 @@ std::optional<Vec2> readRange(ConfigTable& table, const char* key, const NumberR
   return Vec2(*low, *high);
 }
 
-/// A box or a ring of the table, whichever it has. Nothing, and an error, where it has neither or both.
 std::optional<IgnoredRegion> readRegion(ConfigTable& table, const char* key) {
   IgnoredRegion region;
   const auto min = table.point("min"), max = table.point("max");
@@ -414,6 +413,12 @@ std::optional<IgnoredRegion> readRegion(ConfigTable& table, const char* key) {
   return box == round ? std::nullopt : std::optional(region);
 }
 
+bool hasRegion(ConfigTable& table) {
+  for (const char* key : {"min", "max", "z", "radius"})
+    if (table.find(key) != nullptr) return true;
+  return false;
+}
+
 void readIgnored(ConfigTable& table, NominalSpec& nominal) {
   const auto name = table.must("name").text("name");
   IgnoredRegion region = readRegion(table, "name").value_or(IgnoredRegion{});
@@ -434,8 +439,7 @@ void readLocalTolerance(ConfigTable& table, NominalSpec& nominal) {
     local.kind = static_cast<SurfaceKind>(std::find(kKinds.begin(), kKinds.end(), *kind) - kKinds.begin());
   if (const auto face = table.text("face")) local.face = *face;
   const bool by_face = table.find("kind") != nullptr || table.find("face") != nullptr;
-  bool by_place = false;
-  for (const char* key : {"min", "max", "z", "radius"}) by_place |= table.find(key) != nullptr;
+  const bool by_place = hasRegion(table);
   if (by_place) local.region = readRegion(table, "gouge");
   if (!by_face && !by_place)
     table.error("gouge", "job-missing",

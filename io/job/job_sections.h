@@ -28,6 +28,11 @@ void readNominal(ConfigTable& root, Job& job);
 void readFeatureKeys(ConfigTable& table, NominalSpec& nominal);
 /// `align`, `align_limit` and `datums` of [nominal].
 void readAlignment(ConfigTable& table, NominalSpec& nominal);
+/// A box or a ring of the table, whichever it has. Nothing, and an error at `key`, where it has neither or
+/// both.
+std::optional<IgnoredRegion> readRegion(ConfigTable& table, const char* key);
+/// Whether the table has a key of readRegion.
+bool hasRegion(ConfigTable& table);
 /// [[characteristic]], behind readNominal.
 void readCharacteristics(ConfigTable& root, Job& job);
 void readTools(ConfigTable& root, Job& job);

@@ -23,7 +23,11 @@ proveout_add_library(compare
   compare/features/hole_finder.cpp
   compare/features/judgement.cpp
   compare/features/measured_features.cpp
+  compare/part/crests.cpp
+  compare/part/inner_radius.cpp
   compare/part/part_feature.cpp
+  compare/part/part_measure.cpp
+  compare/part/wall_thickness.cpp
   compare/features/pocket_finder.cpp
   compare/features/recognition.cpp
   compare/features/single_faces.cpp
