@@ -16,6 +16,7 @@
 #include "app/session/findings/uncertainty.h"
 #include "app/session/forecast/run_limits.h"
 #include "app/session/nominal/alignment.h"
+#include "app/session/part_check.h"
 #include "app/session/process/turning_work.h"
 #include "app/session/run/process.h"
 #include "core/base/assert.h"
@@ -293,6 +294,9 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   }
   if (run.comparison) report.comparison = reportComparison(*run.comparison, *job.nominal);
   if (run.comparison && run.alignment) report.comparison->alignment = reportAlignment(*run.alignment);
+}
+
+  report.part_characteristics = partCharacteristics(job, run);
   Result<std::vector<FileHash>> hashes = hashInputs(job, sources);
   if (!hashes) return hashes.error();
   report.inputs = std::move(*hashes);

@@ -16,6 +16,19 @@
 #include "removal/turning/section/section.h"
 
 namespace proveout {
+
+void blameMaker(const SurfaceMaker& maker, const Vec3& where, double within_mm, const RunSources& sources,
+                RunResult& run, Finding& finding) {
+  const std::size_t last = run.setups.size() - 1;
+  MadeBy made{maker.setup == SurfaceMaker::kLastSetup ? last : maker.setup, maker.motion};
+  if (made.motion == kNoMotion) {
+    made = madeEarlier(run, where, within_mm).value_or(MadeBy{last, kNoMotion});
+  }
+  const SetupRun& setup = run.setups[made.setup];
+  blame(finding, made.motion, setup.interpreted.path, *sources[made.setup]);
+  finding.setup = setup.name;
+}
+
 namespace {
 
 /// Spots that one tool leaves side by side, as crests between its passes, are one finding: nearer to each
@@ -31,20 +44,6 @@ double spotGap(const RunResult& run, const SurfaceMaker& a, const SurfaceMaker& 
   if (motions[b.motion].tool != tool) return -1.0;
   const Tool* t = ToolTable(setup.job.tools).find(tool);
   return t == nullptr ? -1.0 : t->insert ? 2.0 * t->insert->nose_radius : t->diameter;
-}
-
-/// Names who made the surface that a finding is about. Where the maker is not told: a motion that reached
-/// within `within_mm` of the place.
-void blameMaker(const SurfaceMaker& maker, const Vec3& where, double within_mm, const RunSources& sources,
-                RunResult& run, Finding& finding) {
-  const std::size_t last = run.setups.size() - 1;
-  MadeBy made{maker.setup == SurfaceMaker::kLastSetup ? last : maker.setup, maker.motion};
-  if (made.motion == kNoMotion) {
-    made = madeEarlier(run, where, within_mm).value_or(MadeBy{last, kNoMotion});
-  }
-  const SetupRun& setup = run.setups[made.setup];
-  blame(finding, made.motion, setup.interpreted.path, *sources[made.setup]);
-  finding.setup = setup.name;
 }
 
 /// Names who made the last finding.

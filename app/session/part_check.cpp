@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/session/comparison.h"
@@ -34,7 +35,9 @@ Pass passOf(const RunResult& run, const SurfaceMaker& maker) {
   if (tool->insert) {
     pass.feed_mark_mm = feedMark(motion, *tool->insert);
   } else if (tool->type != ToolType::kWire) {
-    pass.diameter_mm = tool->type == ToolType::kForm ? outlineDiameter(tool->outline) : tool->diameter;
+    pass.diameter_mm = tool->diameter;
+    for (const OutlinePoint& point : tool->outline)
+      pass.diameter_mm = std::max(pass.diameter_mm, 2.0 * point.r);
   }
   return pass;
 }
@@ -49,25 +52,21 @@ std::string limitsText(const PartRule& rule) {
 }
 
 /// A part that has nothing of the kind keeps every limit: no crest is none too high.
-bool isGood(const PartRule& rule, const PartFeature& feature, bool measurable) {
-  return feature.measured ? isKept(rule, *feature.measured) : measurable;
+bool isGood(const PartRule& rule, const PartFeature& feature) {
+  return feature.measured ? isKept(rule, *feature.measured) : feature.measurable;
 }
 
 std::string faultText(const PartRule& rule, const PartFeature& feature) {
   const std::string unit = unitOf(rule.quantity);
   const std::string name = rule.name.empty() ? "" : ", " + rule.name;
-  if (!feature.measured)
-    return fmt::format("{} cannot be measured on a part that a wire cut or whose blank is a saved grid "
-                       "(allowed {} {}{})",
-                       quantityName(rule.quantity), limitsText(rule), unit, name);
+  if (!feature.measurable)
+    return fmt::format(
+        "{} cannot be measured on a part that a wire cut or whose blank is a saved grid "
+        "(allowed {} {}{})",
+        quantityName(rule.quantity), limitsText(rule), unit, name);
   const bool sharp = rule.quantity == Quantity::kInnerRadius && *feature.measured == 0.0;
   return fmt::format("{} is {:.4f} {}{} (allowed {}{})", quantityName(rule.quantity), *feature.measured, unit,
                      sharp ? ", a sharp corner" : "", limitsText(rule), name);
-}
-
-/// Whether the part's form lets a quantity be measured.
-bool isMeasurable(const RunResult& run, Quantity quantity) {
-  return !needsExactPart(quantity) || run.part_is_exact;
 }
 
 }  // namespace
@@ -77,23 +76,22 @@ Status checkPart(const Job& job, const RunSources& sources, const Blank& blank, 
   if (job.part_characteristics.empty()) return Done{};
   Result<std::unique_ptr<ExactPart>> exact = makeExactPart(blank.shape, run);
   if (!exact) return exact.error();
-  run.part_is_exact = *exact != nullptr;
-  MeasuredPart part{run.surface().mesh, exact->get(), partUncertainty(run), run.resolution_mm,
-                    run.setups.size() > 1,
-                    [&run](const SurfaceMaker& maker) { return passOf(run, maker); }};
+  MeasuredPart part{run.surface().mesh,    exact->get(),
+                    partUncertainty(run),  run.resolution_mm,
+                    run.setups.size() > 1, [&run](const SurfaceMaker& maker) { return passOf(run, maker); }};
   Result<std::vector<PartFeature>> measured = measurePart(part, job.part_characteristics, progress);
   if (!measured) return measured.error();
   run.part_features = std::move(*measured);
   for (std::size_t k = 0; k < run.part_features.size(); ++k) {
     const PartRule& rule = job.part_characteristics[k];
     const PartFeature& feature = run.part_features[k];
-    if (isGood(rule, feature, isMeasurable(run, rule.quantity))) continue;
+    if (isGood(rule, feature)) continue;
     Finding finding(FindingKind::kCharacteristic);
     if (feature.measured) finding.where = feature.where;
     finding.message = faultText(rule, feature);
     run.findings.push_back(std::move(finding));
-    if (feature.measured) blameMaker(feature.maker, feature.where, 2.0 * run.resolution_mm, sources, run,
-                                     run.findings.back());
+    if (feature.measured)
+      blameMaker(feature.maker, feature.where, 2.0 * run.resolution_mm, sources, run, run.findings.back());
   }
   return Done{};
 }
@@ -112,7 +110,7 @@ std::vector<ReportCharacteristic> partCharacteristics(const Job& job, const RunR
     row.lower = rule.min;
     row.upper = rule.max;
     row.tolerance = "job";
-    row.verdict = isGood(rule, feature, isMeasurable(run, rule.quantity)) ? "pass" : "fail";
+    row.verdict = isGood(rule, feature) ? "pass" : "fail";
     out.push_back(std::move(row));
   }
   return out;

@@ -17,6 +17,7 @@
 #include "app/session/machining/programs.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "app/session/nominal/placement_search.h"
+#include "app/session/part_check.h"
 #include "app/session/programs/clearance.h"
 #include "app/session/run/control_choice.h"
 #include "app/session/run/process.h"
@@ -238,6 +239,7 @@ Result<RunResult> finishRun(const Job& job, const RunSources& sources, PreparedR
   } else if (something && meanwhile) {
     done = meanwhile(run.setups.back(), progress);
   }
+  if (done && something) done = checkPart(job, sources, prepared.blank, run, progress);
   if (!done) return done.error();
   tellThinFeaturesLast(run.findings);
   return std::move(run);

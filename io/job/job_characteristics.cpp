@@ -109,8 +109,7 @@ void readFeatureKeys(ConfigTable& table, NominalSpec& nominal) {
 void readCharacteristics(ConfigTable& root, Job& job) {
   for (ConfigTable& table : root.tables("characteristic", 10'000)) {
     const ConfigValue* what = table.find("what");
-    const std::optional<Quantity> quantity =
-        what == nullptr ? std::nullopt : quantityNamed(what->text);
+    const std::optional<Quantity> quantity = what == nullptr ? std::nullopt : quantityNamed(what->text);
     if (quantity && isOfPart(*quantity)) {
       job.part_characteristics.push_back(readPartRule(table, *quantity));
       continue;

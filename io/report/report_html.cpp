@@ -49,6 +49,7 @@ class Page {
     out_ += report_html::findingsSection(r_, content_);
     messages();
     comparison();
+    out_ += report_html::partTable(r_.part_characteristics);
     out_ += report_html::bandsSection(content_.bands);
     out_ += report_html::sectionsSection(content_.sections);
     profile();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/geometry/place_text.h"
 #include "io/report/report_html_parts.h"
 #include "io/report_text.h"
 
@@ -91,7 +92,8 @@ std::string featureTable(const std::vector<ReportFeature>& features, bool found,
     rows.resize(most_rows);
   }
   std::string out = fmt::format(
-      "<section>\n<h2>Features ({}; {} of {} characteristics failed)</h2>\n<div class=\"wide\" tabindex=\"0\"><table "
+      "<section>\n<h2>Features ({}; {} of {} characteristics failed)</h2>\n<div class=\"wide\" "
+      "tabindex=\"0\"><table "
       "class=\"stack features\"><thead><tr><th>Feature</th><th>Characteristic</th><th class=\"num\">Nominal "
       "mm</th><th class=\"num\">Tolerance</th><th class=\"num\">Simulated mm</th><th class=\"num\">Deviation "
       "mm</th><th>Of tolerance</th><th>Verdict</th></tr></thead><tbody>\n",
@@ -115,6 +117,29 @@ std::string featureTable(const std::vector<ReportFeature>& features, bool found,
         residual);
   }
   return out + "</section>\n";
+}
+
+std::string partTable(const std::vector<ReportCharacteristic>& characteristics) {
+  using namespace feature_table;
+  if (characteristics.empty()) return "";
+  std::string out =
+      "<section>\n<h2>The part as a whole</h2>\n<div class=\"wide\" tabindex=\"0\"><table class=\"stack "
+      "features\"><thead><tr><th>Characteristic</th><th class=\"num\">Allowed</th><th "
+      "class=\"num\">Simulated</th><th>At</th><th>Verdict</th></tr></thead><tbody>\n";
+  for (const ReportCharacteristic& c : characteristics) {
+    std::string allowed = c.lower ? fmt::format("≥ {:.6g}", *c.lower) : "";
+    if (c.upper) allowed += fmt::format("{}≤ {:.6g}", allowed.empty() ? "" : ", ", *c.upper);
+    const std::string label =
+        c.label.empty() ? "" : fmt::format("<span class=\"line\">{}</span>", escape(c.label));
+    out += fmt::format(
+        "<tr{}><td data-label=\"Characteristic\">{}{}</td><td class=\"num\" data-label=\"Allowed\">{} "
+        "{}</td><td class=\"num\" data-label=\"Simulated\">{}</td><td data-label=\"At\">{}</td><td "
+        "data-label=\"Verdict\"><span class=\"tag {}\">{}</span></td></tr>\n",
+        c.verdict == "fail" ? " class=\"fail\"" : "", escape(c.name), label, allowed, escape(c.unit),
+        c.measured ? fixed(*c.measured + 0.0, 4) + " " + escape(c.unit) : "none",
+        c.where ? placeText(*c.where) : "", c.verdict == "fail" ? "error" : "good", c.verdict);
+  }
+  return out + "</tbody></table></div>\n</section>\n";
 }
 
 }  // namespace proveout::report_html

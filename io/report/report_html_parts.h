@@ -26,6 +26,8 @@ std::string viewScript(const ReportView& view);
 
 /// The page's style sheet, without the tags around it.
 std::string_view styleSheet();
+/// Characteristics of the part as a whole; "" where there are none.
+std::string partTable(const std::vector<ReportCharacteristic>& characteristics);
 /// The table of features and their dimensions, a row a dimension; "" where there is none. No more than
 /// `most_rows` of them: failed ones are never left out before others. `found`: in facets.
 std::string featureTable(const std::vector<ReportFeature>& features, bool found, std::size_t most_rows);

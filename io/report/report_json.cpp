@@ -220,6 +220,23 @@ Json characteristicJson(const ReportCharacteristic& c) {
   return out;
 }
 
+/// Of the part as a whole: limits are values.
+Json partCharacteristicsJson(const std::vector<ReportCharacteristic>& characteristics) {
+  Json out = Json::array();
+  for (const ReportCharacteristic& c : characteristics) {
+    Json row = {{"name", c.name}};
+    if (!c.label.empty()) row["label"] = c.label;
+    row["unit"] = c.unit;
+    row["measured"] = number(c.measured);
+    if (c.where) row["at"] = numbersJson({c.where->x(), c.where->y(), c.where->z()});
+    if (c.lower) row["least"] = number(*c.lower);
+    if (c.upper) row["most"] = number(*c.upper);
+    row["verdict"] = c.verdict;
+    out.push_back(std::move(row));
+  }
+  return out;
+}
+
 Json featuresJson(const std::vector<ReportFeature>& features) {
   Json out = Json::array();
   for (const ReportFeature& feature : features) {
@@ -377,6 +394,8 @@ std::string reportJson(const Report& report, const ReportOptions& options) {
   for (const Finding& finding : report.findings) out["findings"].push_back(findingJson(finding));
   if (!report.acceptance.none()) out["acceptance"] = acceptanceJson(report.acceptance);
   out["comparison"] = report.comparison ? comparisonJson(*report.comparison) : Json(nullptr);
+  if (!report.part_characteristics.empty())
+    out["part_characteristics"] = partCharacteristicsJson(report.part_characteristics);
   out["error_budget"] = errorBudgetJson(report.error_budget);
   out["diagnostics"] = diagnosticsJson(report.diagnostics);
   if (!report.command.empty()) out["command"] = report.command;

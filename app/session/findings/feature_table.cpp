@@ -6,6 +6,13 @@
 #include <cmath>
 
 namespace proveout {
+
+std::string unitOf(Quantity quantity) {
+  if (isAngle(quantity)) return "deg";
+  if (quantity == Quantity::kSkin) return "mm2";
+  return quantity == Quantity::kRoughness ? "um" : "mm";
+}
+
 namespace {
 
 std::string sourceText(const JudgedCharacteristic& judged, const FeatureTolerances& tolerances) {
@@ -19,12 +26,6 @@ std::string sourceText(const JudgedCharacteristic& judged, const FeatureToleranc
     default:
       return "";
   }
-}
-
-std::string unitOf(Quantity quantity) {
-  if (isAngle(quantity)) return "deg";
-  if (quantity == Quantity::kSkin) return "mm2";
-  return quantity == Quantity::kRoughness ? "um" : "mm";
 }
 
 ReportCharacteristic rowOf(const Characteristic& c, const JudgedCharacteristic& judged,

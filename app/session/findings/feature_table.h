@@ -13,6 +13,9 @@ namespace proveout {
 /// The feature that a face of `nominal_faces` belongs to, for people; where none is recognised the face.
 std::string featureAt(std::uint32_t face, const Comparison& comparison);
 
+/// "mm", "deg", "mm2", "um".
+std::string unitOf(Quantity quantity);
+
 /// A row for each feature of the nominal with its characteristics and verdicts. Empty where none were
 /// recognised.
 std::vector<ReportFeature> featureTable(const Comparison& comparison, const FeatureTolerances& tolerances);

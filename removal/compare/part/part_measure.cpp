@@ -121,7 +121,7 @@ Result<std::vector<PartFeature>> measurePart(const MeasuredPart& part, const std
   for (const PartRule& rule : rules) {
     PartFeature feature;
     feature.quantity = rule.quantity;
-    feature.bound = part.exact != nullptr ? part.exact->accuracy() : part.mesh_error_mm;
+    feature.measurable = part.exact != nullptr || !needsExactPart(rule.quantity);
     switch (rule.quantity) {
       case Quantity::kThickness:
         measureThickness(part, rule, progress, feature);
