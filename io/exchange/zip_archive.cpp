@@ -11,12 +11,8 @@
 #include "core/base/assert.h"
 
 namespace proveout {
-namespace {
 
-constexpr uLong kZipEpoch = 0x210000;  ///< 1 January 1980, 0:00, in MS-DOS form
-constexpr std::size_t kLargestZipPiece = std::size_t{1} << 30;
-
-/// A file that minizip sees, in memory.
+/// A file in memory, as the functions of minizip see it.
 struct MemoryFile {
   std::string* grown = nullptr;  ///< written; null: only read
   std::string_view bytes;        ///< read
@@ -24,6 +20,11 @@ struct MemoryFile {
 
   std::uint64_t size() const { return grown != nullptr ? grown->size() : bytes.size(); }
 };
+
+namespace {
+
+constexpr uLong kZipEpoch = 0x210000;  ///< 1 January 1980, 0:00, in MS-DOS form
+constexpr std::size_t kLargestZipPiece = std::size_t{1} << 30;
 
 MemoryFile& memoryFile(voidpf stream) { return *static_cast<MemoryFile*>(stream); }
 

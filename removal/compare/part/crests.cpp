@@ -10,10 +10,10 @@
 namespace proveout {
 namespace {
 
-constexpr double kLeastTurn = 0.2 * kPi / 180.0;
-constexpr std::size_t kMostEdges = 60'000, kMostProfiles = 600;
+constexpr double kLeastRidge = 0.2 * kPi / 180.0;
+constexpr std::size_t kMostRidges = 60'000, kMostProfiles = 600;
 /// Points at which Ra is taken from valley to valley.
-constexpr int kRoughnessPoints = 65;
+constexpr int kProfilePoints = 65;
 
 /// Mean distance from its mean of a parabola of height 1: what arcs with a height far below their radius are.
 const double kParabolaRa = 4.0 / (9.0 * std::sqrt(3.0));
@@ -122,29 +122,29 @@ struct Crest {
 
 /// Mean distance of the profile from its mean line between two valleys, micrometres.
 double roughnessOf(const Profile& profile, const Valley& left, const Valley& right, double top) {
-  std::array<double, kRoughnessPoints> y{};
+  std::array<double, kProfilePoints> y{};
   const double width = right.u - left.u;
   const double deep = top - std::min(left.height, right.height);
-  for (int k = 0; k < kRoughnessPoints; ++k) {
-    const double u = left.u + width * (k + 0.5) / kRoughnessPoints;
+  for (int k = 0; k < kProfilePoints; ++k) {
+    const double u = left.u + width * (k + 0.5) / kProfilePoints;
     const std::optional<double> height = profile.at(u, top, 1e-4 + 0.1 * deep, 1.5 * deep + 1e-3);
     if (!height) return 0.0;
     y[static_cast<std::size_t>(k)] = *height;
   }
   // Mean line by least squares over equal steps.
   double mean = 0.0, moment = 0.0, square = 0.0;
-  for (const double v : y) mean += v / kRoughnessPoints;
-  for (int k = 0; k < kRoughnessPoints; ++k) {
-    const double x = k - 0.5 * (kRoughnessPoints - 1);
+  for (const double v : y) mean += v / kProfilePoints;
+  for (int k = 0; k < kProfilePoints; ++k) {
+    const double x = k - 0.5 * (kProfilePoints - 1);
     moment += x * y[static_cast<std::size_t>(k)];
     square += x * x;
   }
   double sum = 0.0;
-  for (int k = 0; k < kRoughnessPoints; ++k) {
-    const double x = k - 0.5 * (kRoughnessPoints - 1);
+  for (int k = 0; k < kProfilePoints; ++k) {
+    const double x = k - 0.5 * (kProfilePoints - 1);
     sum += std::abs(y[static_cast<std::size_t>(k)] - mean - moment / square * x);
   }
-  return 1e3 * sum / kRoughnessPoints;
+  return 1e3 * sum / kProfilePoints;
 }
 
 std::optional<Crest> crestAt(const MeasuredPart& part, const Ridge& ridge) {
@@ -181,12 +181,12 @@ std::optional<Crest> crestAt(const MeasuredPart& part, const Ridge& ridge) {
 }
 
 std::vector<Ridge> ridgesOf(const MeasuredPart& part, const PartRule& rule, const Progress& progress) {
-  std::vector<MeshEdge> edges = turningEdges(part.mesh, kLeastTurn, rule);
+  std::vector<MeshEdge> edges = turningEdges(part.mesh, kLeastRidge, rule);
   std::erase_if(edges, [](const MeshEdge& edge) {
     return edge.turn_rad < 0.0 || edge.left_motion == edge.right_motion || edge.left_motion == kNoMotion ||
            edge.right_motion == kNoMotion;
   });
-  const std::size_t each = edges.size() / kMostEdges + 1;
+  const std::size_t each = edges.size() / kMostRidges + 1;
   std::vector<std::optional<Ridge>> found((edges.size() + each - 1) / each);
   parallelFor(std::size_t{0}, found.size(), [&](std::size_t k) {
     if (!progress.cancelled()) found[k] = ridgeAt(part, edges[k * each]);

@@ -10,9 +10,9 @@
 namespace proveout {
 namespace {
 
-constexpr std::size_t kMostEdges = 30'000;
+constexpr std::size_t kMostCorners = 30'000;
 /// Edges that turn less are of facets that stand for something flat or for a radius of no interest.
-constexpr double kLeastTurn = 0.5 * kPi / 180.0;
+constexpr double kLeastCorner = 0.5 * kPi / 180.0;
 /// A corner whose radius shrinks with the steps down to this one is sharp, mm.
 constexpr double kSharp = 2e-3;
 
@@ -50,8 +50,11 @@ Corner cornerAt(const ExactPart& part, const MeshEdge& edge, double step) {
       return out;
     }
     before = radius;
-    if (const std::optional<SurfacePoint> on = surfaceNear(part, out.at.p, 3.0 * first)) middle = on->p;
     if (sum.norm() > 1e-6) normal = sum.normalized();
+    // Into the corner: the nearest point of the surface would be one of its walls.
+    const Vec3 inside = out.at.p - 2.0 * step * normal;
+    const std::optional<double> share = crossingBetween(part, out.at.p, inside);
+    if (share) middle = out.at.p + *share * (inside - out.at.p);
   }
   out.radius = before < kSharp ? 0.0 : before;
   return out;
@@ -63,15 +66,15 @@ void measureInnerRadius(const MeasuredPart& part, const PartRule& rule, Progress
                         PartFeature& out) {
   if (part.exact == nullptr) return;
   progress.report("measuring corners", 0.0);
-  std::vector<MeshEdge> edges = turningEdges(part.mesh, kLeastTurn, rule);
+  std::vector<MeshEdge> edges = turningEdges(part.mesh, kLeastCorner, rule);
   std::erase_if(edges, [](const MeshEdge& edge) { return edge.turn_rad > 0.0; });
   std::stable_sort(edges.begin(), edges.end(),
                    [](const MeshEdge& a, const MeshEdge& b) { return a.turn_rad < b.turn_rad; });
   // The sharpest, and of the others as many as there is time for.
-  if (edges.size() > kMostEdges) {
-    const std::size_t each = edges.size() / (kMostEdges / 2) + 1;
-    std::vector<MeshEdge> fewer(edges.begin(), edges.begin() + kMostEdges / 2);
-    for (std::size_t k = kMostEdges / 2; k < edges.size(); k += each) fewer.push_back(edges[k]);
+  if (edges.size() > kMostCorners) {
+    const std::size_t each = edges.size() / (kMostCorners / 2) + 1;
+    std::vector<MeshEdge> fewer(edges.begin(), edges.begin() + kMostCorners / 2);
+    for (std::size_t k = kMostCorners / 2; k < edges.size(); k += each) fewer.push_back(edges[k]);
     edges = std::move(fewer);
   }
   Corner least;

@@ -106,10 +106,11 @@ class WrittenRun {
     report = Report();
     writeRunDeviation(job, run, sources_, progress_, *staging, report, failures);
     EXPECT_TRUE(failures.empty());
-    staging->write("report.json", [](const std::string& path) -> Status {
+    const Status written = staging->write("report.json", [](const std::string& path) -> Status {
       std::ofstream(path) << "{}";
       return Done{};
     });
+    EXPECT_TRUE(written.ok());
     EXPECT_TRUE(staging->commit().ok());
   }
   void writeAgain(const std::string& name) { write(job_, name); }
@@ -164,7 +165,9 @@ TEST(DeviationOutputs, TellDeviationBlockAndToolOfEachVertex) {
       EXPECT_EQ(v.at("block"), in_first ? 50 : 110);
       EXPECT_EQ(v.at("file"), 0);
       EXPECT_EQ(v.at("setup"), 0);
-      if (side > 1) EXPECT_GT(v.at("blue"), v.at("red"));  // of missing material
+      if (side > 1) {
+        EXPECT_GT(v.at("blue"), v.at("red"));  // of missing material
+      }
     } else if (std::abs(p.x() - 20) < 5 || depth > 3) {
       ++blank;
       for (const char* name : {"tool", "line", "block", "file", "setup"}) EXPECT_EQ(v.at(name), -1) << name;
@@ -204,9 +207,12 @@ TEST(DeviationOutputs, PointsOverToleranceAreThoseOfTheMesh) {
     EXPECT_LE(std::abs(deviation), before);
     before = std::abs(deviation);
     EXPECT_EQ(rows[i][7], "0.02");
-    if (z > -0.9 * std::min({x, 40 - x, std::stod(rows[i][1]), 40 - std::stod(rows[i][1])}))
+    if (z > -0.9 * std::min({x, 40 - x, std::stod(rows[i][1]), 40 - std::stod(rows[i][1])})) {
       EXPECT_EQ(rows[i][6], "1") << "the nearest place of the nominal is its top";
-    if (rows[i][13] == "1") EXPECT_EQ(rows[i][11], "5");
+    }
+    if (rows[i][13] == "1") {
+      EXPECT_EQ(rows[i][11], "5");
+    }
   }
 }
 
