@@ -21,12 +21,12 @@ struct Corner {
   SurfacePoint at;
 };
 
-/// Of a circle through two points of the surface with their normals; infinite where it is not hollow.
+/// By how the normals turn towards each other along the way: of a circle its radius, of a surface that of a
+/// section along the normal. Infinite where it is not hollow.
 double radiusOf(const SurfacePoint& a, const SurfacePoint& b) {
   const Vec3 way = b.p - a.p;
-  if (way.dot(b.normal - a.normal) >= 0.0) return std::numeric_limits<double>::infinity();
-  const double half_turn = 0.5 * std::atan2(a.normal.cross(b.normal).norm(), a.normal.dot(b.normal));
-  return half_turn > 1e-5 ? 0.5 * way.norm() / std::sin(half_turn) : std::numeric_limits<double>::infinity();
+  const double turn = way.dot(a.normal - b.normal);
+  return turn > 1e-6 * way.norm() ? way.squaredNorm() / turn : std::numeric_limits<double>::infinity();
 }
 
 /// By ever shorter steps to both sides of the edge, until the radius is no longer that of the steps.
@@ -45,7 +45,7 @@ Corner cornerAt(const ExactPart& part, const MeshEdge& edge, double step) {
     const Vec3 sum = a->normal + b->normal;
     out.at = *a;
     out.at.p = 0.5 * (a->p + b->p);
-    if (std::abs(radius - before) < 0.02 * radius) {
+    if (std::abs(radius - before) < 0.005 * radius) {
       out.radius = std::min(radius, before);
       return out;
     }

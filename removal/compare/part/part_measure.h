@@ -35,8 +35,8 @@ bool needsExactPart(Quantity quantity);
 /// One result for each rule, in their order. The same for any number of threads. kInterrupted where
 /// `progress` was cancelled.
 ///
-/// Wall: the ball that touches the surface from within and meets a face that looks the other way to 45
-/// degrees; its diameter at the least, found on samples and refined. Inner radius: of concave places across
+/// Wall: the way through the material along the inward normal to a face that looks the other way to 45
+/// degrees, at its least: found on samples and refined. Inner radius: of concave places across
 /// their edge; corners sharper than 2 micrometres have 0. Skin: area that the blank's surface has. Crest:
 /// between passes of one tool, above the line through the valleys to both sides, which are within a diameter.
 /// Roughness: Ra over such a crest from valley to valley, of the passes and not of what tools leave beside;

@@ -1,9 +1,13 @@
-// The least wall: the smallest ball within the part that touches two faces that look away from each other.
+// The least wall: the shortest way through the material along the normal of a face to one that looks the
+// other way.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "core/base/parallel_for.h"
+#include "core/geometry/box_tree.h"
 #include "core/mesh/signed_distance.h"
 #include "removal/compare/deepest_point.h"
 #include "removal/compare/part/part_probe.h"
@@ -15,7 +19,7 @@ namespace {
 /// opposite.
 constexpr double kFacing = -0.70710678;
 constexpr std::size_t kMostSamples = 200'000;
-constexpr std::size_t kRefined = 48;
+constexpr std::size_t kRefined = 24;
 constexpr double kLastStep = 1e-4;  ///< mm
 
 struct Sample {
@@ -48,31 +52,78 @@ std::vector<Sample> samplesOf(const SurfaceMesh& mesh, double spacing, const Par
   return out;
 }
 
-/// Diameter of the ball within that touches at the sample, where it is below `most` and the other side faces
-/// it (shrinking ball: J. Ma, S. W. Bae, S. Choi, "3D medial axis point approximation using nearest neighbors
-/// and the normal field", 2012). Infinite where it is not.
-double ballAt(const SignedDistance& surface, const Sample& at, double most) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  constexpr int kRounds = 30;
-  double radius = 0.5 * most;
-  bool met = false;
-  Vec3 other = Vec3::Zero();
-  for (int round = 0; round < kRounds; ++round) {
-    const Vec3 c = at.p - radius * at.normal;
-    const SurfaceDistance d = surface.at(c);
-    if (std::abs(d.distance) > radius * (1.0 - 1e-6) - 1e-9) break;
-    const Vec3 q = c - d.distance * d.gradient.cast<double>();
-    const Vec3 way = at.p - q;
-    const double along = at.normal.dot(way);
-    if (!(along > 0.0)) return kNone;
-    const double next = way.squaredNorm() / (2.0 * along);
-    other = surface.mesh().areaVector(d.triangle).normalized();
-    met = true;
-    if (next > radius * (1.0 - 1e-6)) break;
-    radius = next;
+/// Rays through the triangles of a mesh.
+class Rays {
+ public:
+  explicit Rays(const SurfaceMesh& mesh) : mesh_(mesh), tree_(boxesOf(mesh)) {}
+
+  /// How long the material is along the inward normal, where the face on its other side looks the other way;
+  /// else infinite.
+  double wallAt(const Sample& at) const {
+    const Vec3 way = -at.normal, inverse = way.cwiseInverse();
+    double best = std::numeric_limits<double>::infinity();
+    std::uint32_t met = 0;
+    tree_.forEachPlaceWhere(
+        [&](const BoxTree::Node& node, int side) { return entry(node, side, at.p, inverse) < best; },
+        [&](std::uint32_t place) {
+          const std::uint32_t t = tree_.order()[place];
+          const double u = crossing(t, at.p, way);
+          if (u < best) best = u, met = t;
+        });
+    if (!std::isfinite(best)) return best;
+    const bool facing = mesh_.areaVector(met).normalized().dot(at.normal) < kFacing;
+    return facing ? best : std::numeric_limits<double>::infinity();
   }
-  return met && other.dot(at.normal) < kFacing ? 2.0 * radius : kNone;
-}
+
+ private:
+  static std::vector<ShortBox> boxesOf(const SurfaceMesh& mesh) {
+    std::vector<ShortBox> boxes;
+    boxes.reserve(mesh.triangles.size());
+    for (const auto& t : mesh.triangles) {
+      Box3 box;
+      for (const std::uint32_t v : t) box.extend(mesh.points[v]);
+      boxes.push_back(ShortBox::around(box));
+    }
+    return boxes;
+  }
+  /// Where the ray enters a child's bounds; infinite where it does not.
+  static double entry(const BoxTree::Node& node, int side, const Vec3& p, const Vec3& inverse) {
+    double from = 0.0, to = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      const double low = static_cast<double>(node.low[side][k]) - p[k],
+                   high = static_cast<double>(node.high[side][k]) - p[k];
+      if (!std::isfinite(inverse[k])) {
+        if (low > 0.0 || high < 0.0) return std::numeric_limits<double>::infinity();
+        continue;
+      }
+      const double a = low * inverse[k], b = high * inverse[k];
+      from = std::max(from, std::min(a, b));
+      to = std::min(to, std::max(a, b));
+    }
+    return from <= to ? from : std::numeric_limits<double>::infinity();
+  }
+  /// Where the ray leaves the material through a triangle (T. Moeller, B. Trumbore, "Fast, minimum storage
+  /// ray-triangle intersection", 1997), not where it starts; infinite where it does not.
+  double crossing(std::uint32_t t, const Vec3& p, const Vec3& way) const {
+    constexpr double kNone = std::numeric_limits<double>::infinity(), kStart = 1e-5;
+    const auto& v = mesh_.triangles[t];
+    const Vec3 &a = mesh_.points[v[0]], ab = mesh_.points[v[1]] - a, ac = mesh_.points[v[2]] - a;
+    const Vec3 across = way.cross(ac);
+    const double det = ab.dot(across);
+    if (!(det < 0.0)) return kNone;  // seen from its back
+    const Vec3 from = p - a;
+    const double x = from.dot(across) / det;
+    const Vec3 other = from.cross(ab);
+    const double y = way.dot(other) / det;
+    constexpr double kEdge = 1e-9;  // what runs into an edge is of both triangles
+    if (x < -kEdge || y < -kEdge || x + y > 1.0 + kEdge) return kNone;
+    const double u = ac.dot(other) / det;
+    return u > kStart ? u : kNone;
+  }
+
+  const SurfaceMesh& mesh_;
+  BoxTree tree_;
+};
 
 /// A wall: from a point along the inward normal to the other side.
 struct Wall {
@@ -80,11 +131,13 @@ struct Wall {
   double thickness = std::numeric_limits<double>::infinity();
 };
 
-/// The wall behind a point of the surface, by steps as long as the way to the surface is at least.
+/// The wall behind a point of the surface, `about` so thick, by steps as long as the way to the surface is at
+/// least.
 Wall wallBehind(const ExactPart& part, const SurfacePoint& from, double about) {
   Wall wall{from};
   const double end = 2.0 * about + 0.1;
-  double t = std::min(1e-3, 0.25 * about);
+  double t = 0.5 * about;
+  if (part.at(from.p - t * from.normal, end).value >= 0.0) t = std::min(1e-3, 0.1 * about);
   for (int round = 0; round < 400 && t < end; ++round) {
     const Vec3 at = from.p - t * from.normal;
     const ExactPart::Sample s = part.at(at, end);
@@ -130,25 +183,14 @@ void measureThickness(const MeasuredPart& part, const PartRule& rule, Progress& 
   if (part.mesh.triangles.empty()) return;
   progress.report("measuring walls", 0.0);
   const SurfaceMesh mesh = toSurface(part.mesh);
-  const SignedDistance surface(mesh, 0.5 * part.spacing_mm);
   const std::vector<Sample> samples = samplesOf(mesh, part.spacing_mm, rule);
   std::vector<double> thickness(samples.size(), std::numeric_limits<double>::infinity());
-  const auto measure = [&](std::size_t first, std::size_t step, double most) {
-    const std::size_t count = samples.size() > first ? (samples.size() - first + step - 1) / step : 0;
-    parallelFor(std::size_t{0}, count, [&](std::size_t k) {
-      if (progress.cancelled()) return;
-      double& t = thickness[first + k * step];
-      t = ballAt(surface, samples[first + k * step], most);
+  {
+    const Rays rays(mesh);
+    parallelFor(std::size_t{0}, samples.size(), [&](std::size_t k) {
+      if (!progress.cancelled()) thickness[k] = rays.wallAt(samples[k]);
     });
-    return thickness.empty() ? most : std::min(most, *std::min_element(thickness.begin(), thickness.end()));
-  };
-  // A few tell how thick a wall is of interest at all; the others then mostly take one question.
-  const Vec3 size = meshExtent(part.mesh).bounds.size();
-  constexpr std::size_t kFew = 64;
-  const double whole = 1.01 * size.minCoeff();
-  const double first = measure(0, kFew, whole);
-  constexpr double kRoom = 1.25;  // what a sample that is not the thinnest place may have more
-  measure(0, 1, std::min(kRoom * first, whole));
+  }
   if (progress.cancelled()) return;
   std::vector<std::size_t> order(samples.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
@@ -156,7 +198,9 @@ void measureThickness(const MeasuredPart& part, const PartRule& rule, Progress& 
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return thickness[a] < thickness[b]; });
   std::vector<std::size_t> chosen;
+  constexpr double kRoom = 1.25;  // what a sample that is not the thinnest place may have more
   for (const std::size_t k : order) {
+    if (thickness[k] > kRoom * thickness[order.front()] + part.spacing_mm) break;
     const auto near = [&](std::size_t c) {
       return (samples[c].p - samples[k].p).norm() < 4.0 * part.spacing_mm;
     };
@@ -164,8 +208,11 @@ void measureThickness(const MeasuredPart& part, const PartRule& rule, Progress& 
     if (chosen.size() == kRefined) break;
   }
   std::vector<Wall> walls(chosen.size());
-  const MeshPart of_mesh(surface, part.mesh_error_mm);
-  const ExactPart& exact = part.exact != nullptr ? *part.exact : of_mesh;
+  std::optional<SignedDistance> distance;
+  std::optional<MeshPart> of_mesh;
+  if (part.exact == nullptr)
+    of_mesh.emplace(distance.emplace(mesh, 0.5 * part.spacing_mm), part.mesh_error_mm);
+  const ExactPart& exact = part.exact != nullptr ? *part.exact : *of_mesh;
   parallelFor(std::size_t{0}, chosen.size(), [&](std::size_t i) {
     walls[i] = thinnest(exact, samples[chosen[i]], thickness[chosen[i]], part.spacing_mm, rule);
   });
