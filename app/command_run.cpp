@@ -12,6 +12,7 @@
 #include "app/page/measured_surface.h"
 #include "app/page/reduced_mesh.h"
 #include "app/page/report_view.h"
+#include "app/page/setup_sheets.h"
 #include "app/pictures.h"
 #include "app/run_report.h"
 #include "app/session/findings/acceptance.h"
@@ -109,7 +110,7 @@ std::vector<DeviationBand> bandsOf(const Job& job, const RunResult& run) {
 }
 
 /// What report.html has besides pictures and close-ups. `drawn_s` grows by the time that it takes.
-PageContent pageOf(const Job& job, const RunResult& run, const RunSources& sources, const Progress& progress,
+PageContent pageOf(const Job& job, const RunResult& run, const RunSources& sources, Progress& progress,
                    double& drawn_s) {
   PageContent page;
   if (run.alarm) return page;
@@ -117,6 +118,7 @@ PageContent pageOf(const Job& job, const RunResult& run, const RunSources& sourc
   const TriMesh* nominal = run.comparison && run.nominal ? &*run.nominal : nullptr;
   page.bands = bandsOf(job, run);
   page.sections = pageSections(run.surface().mesh, nominal, job.report.sections);
+  page.sheets = setupSheets(job, run, progress);
   if (wantsView(job)) {
     const std::vector<Finding> findings = findingsInLastFrame(run);
     page.view = viewOfRun(

@@ -15,7 +15,6 @@
 #include "core/mesh/mesh_placement.h"
 #include "io/acceptance.h"
 #include "io/finding_kind.h"
-#include "io/report/setup_sheet.h"
 #include "io/report_wish.h"
 #include "io/verdict.h"
 #include "removal/process/stock_body.h"
@@ -331,7 +330,6 @@ struct Report {
   double resolution_mm = 0.0;
   std::vector<Finding> findings;
   std::vector<ReportCharacteristic> part_characteristics;  ///< of the part as a whole
-  std::vector<SetupSheet> sheets;                          ///< one a clamping; for report.html
   ReportAcceptance acceptance;
   std::optional<ReportComparison> comparison;
   std::vector<ErrorTerm> error_budget;

@@ -54,6 +54,7 @@ class Page {
     out_ += report_html::sectionsSection(content_.sections);
     profile();
     setups();
+    out_ += report_html::sheetSections(content_.sheets);
     tools();
     rate();
     stock();

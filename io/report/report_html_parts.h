@@ -24,6 +24,9 @@ std::string viewSection(const ReportView& view);
 /// The view's data and script, for the end of the page; "" without.
 std::string viewScript(const ReportView& view);
 
+/// Setup sheets, a section each.
+std::string sheetSections(const std::vector<SetupSheet>& sheets);
+
 /// The page's style sheet, without the tags around it.
 std::string_view styleSheet();
 /// Characteristics of the part as a whole; "" where there are none.

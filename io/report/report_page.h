@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/report.h"
+#include "io/report/setup_sheet.h"
 
 namespace proveout {
 
@@ -49,6 +50,7 @@ struct PageContent {
   std::vector<FindingDetail> details;  ///< of some findings, in their order
   std::vector<DeviationBand> bands;    ///< ascending
   std::vector<PageSection> sections;
+  std::vector<SetupSheet> sheets;  ///< one a clamping, in their order
 };
 
 /// report.html: one self-contained page, no network; no script but that of the view. Everything from outside

@@ -26,8 +26,9 @@ struct SetupSheet {
   std::string program;  ///< name of its main program
   std::vector<SheetLine> lines;
   std::vector<SheetTool> tools;  ///< that the program uses, in the order of their first use
-  std::string before;            ///< title of the picture of the clamping before it; empty: there is none
-  std::string after;             ///< and after it
+  /// Bytes of PNG files: the workpiece as it is clamped, with fixtures and zero points, and as it is when the
+  /// program has run. Empty: there is none.
+  std::string before, after;
 };
 
 }  // namespace proveout
