@@ -78,10 +78,12 @@ bench: configure
 	cmake --build --preset release --target benches -j $(JOBS)
 ifeq ($(BASE),)
 	build/release/bin/bench_programs $(BENCH)
+	build/release/bin/bench_compare
 	build/release/bin/bench_sweeps
 	build/release/bin/bench_prediction
 else
-	base=$$(.ci/build-base $(BASE) $(JOBS)) && build/release/bin/bench_programs --times 5 $(BENCH) --against $$base
+	base=$$(.ci/build-base $(BASE) $(JOBS)) && build/release/bin/bench_programs --times 5 $(BENCH) --against $$base && \
+	build/release/bin/bench_compare --times 3 --against $$base
 endif
 
 asan tsan: deps

@@ -67,6 +67,7 @@ class RunPictures {
     const TriMesh& mesh = run.surface().mesh;
     Status done = Done{};
     if (run.comparison) done = maker_.drawDeviation(mesh, *run.comparison, findings, progress);
+    if (done) done = drawScallops(run, progress);
     if (done) done = maker_.drawFindings(mesh, findings, progress);
     if (!done) return done;
     Result<std::vector<FindingDetail>> details = maker_.drawDetails(
@@ -84,6 +85,16 @@ class RunPictures {
   const std::vector<FindingDetail>& details() const { return details_; }
 
  private:
+  /// Of the first characteristic that asks for them.
+  Status drawScallops(const RunResult& run, Progress& progress) {
+    const std::vector<PartRule>& rules = run.setups.back().job.part_characteristics;
+    for (std::size_t k = 0; k < run.part_features.size(); ++k)
+      if (rules[k].quantity == Quantity::kScallop)
+        return maker_.drawScallops(run.surface().mesh, run.part_features[k].crests,
+                                   std::max(rules[k].max.value_or(0.0), 1e-3), progress);
+    return Done{};
+  }
+
   static PictureRequest requestOf(const Job& job) {
     PictureRequest request;
     request.name = job.name;

@@ -86,7 +86,10 @@ std::vector<std::string> outputNames(const Job& job) {
   std::vector<std::string> names = {"report.json", "report.html", "junit.xml"};
   for (const OutputFormat format : job.output.formats) names.push_back(meshFileName(job, format));
   for (const std::string& view : job.output.views) names.push_back(view + ".png");
-  if (!job.output.views.empty()) names.insert(names.end(), {"deviation.png", "findings.png", "apart.png"});
+  if (!job.output.views.empty())
+    names.insert(names.end(), {"deviation.png", "findings.png", "apart.png", "scallops.png"});
+  for (std::size_t k = 1; k < job.output.views.size(); ++k)
+    names.push_back(deviationViewName(job.output.views[k]) + ".png");
   if (job.output.csv) names.insert(names.end(), {"blocks.csv", "mrr.svg", "findings.csv"});
   for (const DeviationOutput output : job.output.deviation)
     names.push_back(deviationFileName(job.name, output));

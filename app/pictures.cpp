@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/freed_pieces.h"
+#include "app/page/crest_map.h"
 #include "io/png.h"
 #include "io/report_text.h"
 
@@ -48,6 +49,8 @@ void addHeatMap(const Comparison& comparison, RenderScene& scene) {
   scene.show_legend = true;
   scene.legend.title = "deviation";
 }
+
+std::string deviationViewName(const std::string& view) { return "deviation-" + view; }
 
 /// Annotations need a picture of some size; a thumbnail goes without.
 bool PictureMaker::annotated() const { return request_.size.width >= 160 && request_.size.height >= 120; }
@@ -143,7 +146,31 @@ Status PictureMaker::drawDeviation(const TriMesh& mesh, const Comparison& compar
                     report_text::figure(comparison.max_gouge_mm), comparison.gouge_tolerance_mm,
                     report_text::figure(comparison.max_excess_mm), comparison.excess_tolerance_mm);
   }
-  return add(draw(std::move(scene), request_.views.front(), progress), "deviation.png", "deviation");
+  for (const std::string& view : request_.views) {
+    const std::string name = &view == &request_.views.front() ? "deviation" : deviationViewName(view);
+    if (Status done = add(draw(scene, view, progress), name + ".png",
+                          &view == &request_.views.front() ? "deviation" : "deviation " + view);
+        !done)
+      return done;
+  }
+  return Done{};
+}
+
+Status PictureMaker::drawScallops(const TriMesh& mesh, const std::vector<CrestSample>& crests,
+                                  double allowed_mm, Progress& progress) {
+  if (!drawsOf(mesh) || crests.empty()) return Done{};
+  double most = 0.0;
+  for (const CrestSample& crest : crests) most = std::max(most, crest.height_mm);
+  RenderScene scene = sceneOf(mesh);
+  scene.field.per = ScalarField::Per::kTriangle;
+  scene.field.values = crestHeights(mesh, crests);
+  scene.field.scale = deviationScaleFor(allowed_mm, allowed_mm, most);
+  scene.show_legend = annotated();
+  scene.legend.title = "scallop height";
+  if (annotated())
+    scene.caption = fmt::format("{}: scallops up to {} mm, nearest of {} measured", ascii(request_.name),
+                                report_text::figure(most), crests.size());
+  return add(draw(std::move(scene), request_.views.front(), progress), "scallops.png", "scallop height");
 }
 
 Status PictureMaker::drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings,

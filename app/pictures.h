@@ -13,6 +13,7 @@
 #include "core/mesh/tri_mesh.h"
 #include "io/report.h"
 #include "removal/compare/compare.h"
+#include "removal/compare/part/part_feature.h"
 #include "render/render.h"
 
 namespace proveout {
@@ -29,6 +30,9 @@ struct PictureRequest {
   ImageSize size;
   int threads = 0;
 };
+
+/// The picture of deviations in a further view: "deviation-top".
+std::string deviationViewName(const std::string& view);
 
 /// Draws the pictures of one mesh, which each call is given: what all of them share is made once. None are
 /// drawn of a mesh without triangles (everything was cut away), nor where no view is asked for. What cannot
@@ -47,9 +51,14 @@ class PictureMaker {
   /// they leave it; see takenApart.
   Status drawApart(const TriMesh& mesh, const std::vector<TriMesh>& freed,
                    const std::vector<StockBody>& bodies, Progress& progress);
-  /// deviation.png, with the places of deviations among the findings, numbered from 1 as in the report.
+  /// deviation.png in the first view, deviation-VIEW.png in the others, with the places of deviations among
+  /// the findings, numbered from 1 as in the report.
   Status drawDeviation(const TriMesh& mesh, const Comparison& comparison,
                        const std::vector<Finding>& findings, Progress& progress);
+  /// scallops.png, where crests were measured: each triangle by the nearest of them. `allowed_mm` > 0: higher
+  /// ones are red.
+  Status drawScallops(const TriMesh& mesh, const std::vector<CrestSample>& crests, double allowed_mm,
+                      Progress& progress);
   /// findings.png, where other findings have a place.
   Status drawFindings(const TriMesh& mesh, const std::vector<Finding>& findings, Progress& progress);
 

@@ -116,8 +116,8 @@ std::optional<Valley> valleyFrom(const Profile& profile, const Ridge& ridge, dou
 }
 
 struct Crest {
-  double height_mm = 0.0, ra_um = 0.0;
-  Vec3 where = Vec3::Zero();
+  CrestSample sample;
+  double ra_um = 0.0;
 };
 
 /// Mean distance of the profile from its mean line between two valleys, micrometres.
@@ -173,9 +173,8 @@ std::optional<Crest> crestAt(const MeasuredPart& part, const Ridge& ridge) {
   const double width = right->u - left->u, rise = right->height - left->height;
   const double line = left->height - left->u * rise / width;
   Crest crest;
-  crest.height_mm = -line * width / std::hypot(width, rise);
-  crest.where = moved.p;
-  if (crest.height_mm > 0.5 * ridge.pass.diameter_mm) return std::nullopt;  // a rib
+  crest.sample = {moved.p, -line * width / std::hypot(width, rise), width};
+  if (crest.sample.height_mm > 0.5 * ridge.pass.diameter_mm) return std::nullopt;  // a rib
   crest.ra_um = roughnessOf(own, *left, *right, 0.0);
   return crest;
 }
@@ -239,10 +238,12 @@ void measureCrests(const MeasuredPart& part, const PartRule& rule, Progress& pro
   });
   for (std::size_t k = 0; k < crests.size(); ++k) {
     if (!crests[k]) continue;
-    const double value = out.quantity == Quantity::kScallop ? crests[k]->height_mm : crests[k]->ra_um;
+    out.crests.push_back(crests[k]->sample);
+    const bool height = out.quantity == Quantity::kScallop;
+    const double value = height ? crests[k]->sample.height_mm : crests[k]->ra_um;
     if (out.measured && *out.measured >= value) continue;
     out.measured = value;
-    out.where = crests[k]->where;
+    out.where = crests[k]->sample.where;
     out.maker = ridges[k].maker;
   }
 }

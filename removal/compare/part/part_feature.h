@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/geometry/types.h"
 #include "removal/compare/comparison.h"
@@ -23,6 +24,13 @@ struct PartRule {
   std::optional<double> min, max;       ///< allowed values, at least one of them; units as Quantity says
 };
 
+/// A crest between passes that was measured.
+struct CrestSample {
+  Vec3 where = Vec3::Zero();
+  double height_mm = 0.0;
+  double width_mm = 0.0;  ///< from valley to valley
+};
+
 /// One of them, as the machined part has it. Units as Quantity says.
 struct PartFeature {
   Quantity quantity = Quantity::kThickness;
@@ -30,6 +38,7 @@ struct PartFeature {
   bool measurable = true;          ///< false: nothing but a mesh is known of the part, which is too little
   Vec3 where = Vec3::Zero();       ///< where it is met
   SurfaceMaker maker;              ///< of the surface there
+  std::vector<CrestSample> crests = {};  ///< of scallop height and roughness: all that were measured
 };
 
 }  // namespace proveout
