@@ -72,6 +72,46 @@ class StepJob : public testing::Test {
   std::string extra_;  ///< behind [nominal]
 };
 
+/// parts/measured_plate, with a D offset.
+Result<RunResult> runSample(double radius_offset, Progress& progress) {
+  Diagnostics diagnostics;
+  JobNames names = jobNames();
+  std::optional<Job> sample =
+      loadJob(PROVEOUT_SOURCE_DIR "/parts/measured_plate/measured.toml", names, diagnostics);
+  if (!sample) return inputError(diagnostics.all().front().message);
+  sample->settings.radius_offsets[1] = {radius_offset, 0.0};
+  return runJob(*sample, progress);
+}
+
+TEST(MeasuredPlate, HasTheDimensionsOfItsModel) {
+  Progress progress;
+  const Result<RunResult> result = runSample(4.0, progress);
+  ASSERT_TRUE(result) << result.error().message;
+  EXPECT_TRUE(result->findings.empty()) << result->findings.front().message;
+  ASSERT_TRUE(result->comparison);
+  EXPECT_EQ(result->comparison->features.size(), 10u);
+  for (const Feature& feature : result->comparison->features)
+    for (const Characteristic& c : feature.characteristics)
+      EXPECT_NEAR(c.measured.value_or(1e9), c.nominal, 1e-3)
+          << feature.name << " " << quantityName(c.quantity);
+  ASSERT_EQ(result->part_features.size(), 2u);
+  EXPECT_NEAR(result->part_features[0].measured.value_or(0.0), 4.0, 1e-6);
+  EXPECT_NEAR(result->part_features[1].measured.value_or(0.0), 5.0, 1e-3);
+}
+
+TEST(MeasuredPlate, AWrongOffsetFailsWidthAndLengthOfThePocketAlone) {
+  Progress progress;
+  const Result<RunResult> result = runSample(4.03, progress);
+  ASSERT_TRUE(result) << result.error().message;
+  int characteristics = 0;
+  for (const Finding& finding : result->findings) {
+    if (finding.kind != FindingKind::kCharacteristic) continue;
+    ++characteristics;
+    EXPECT_THAT(finding.message, testing::HasSubstr("of the pocket of 24 x 40"));
+  }
+  EXPECT_EQ(characteristics, 2);
+}
+
 TEST_F(StepJob, TheRightProgramPasses) {
   const Result<RunResult> result = run(3.0);
   ASSERT_TRUE(result) << result.error().message;
