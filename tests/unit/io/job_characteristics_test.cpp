@@ -62,5 +62,39 @@ TEST_F(JobCharacteristics, WrongOnesAreRefused) {
   for (const auto& [text, message] : wrong) EXPECT_THAT(folder_.refusal(text), HasSubstr(message)) << text;
 }
 
+TEST_F(JobCharacteristics, OfThePartNeedNoNominal) {
+  const auto job =
+      folder_.load(io_test::kSmallJob +
+                   "[[characteristic]]\nname = \"rib\"\nwhat = \"wall thickness\"\nleast = 1.5\n"
+                   "[[characteristic]]\nwhat = \"roughness\"\nmost = 1.6\nz = [-1, 1]\nradius = [0, 20]\n");
+  ASSERT_TRUE(job) << folder_.text();
+  ASSERT_EQ(job->part_characteristics.size(), 2u);
+  EXPECT_EQ(job->part_characteristics[0].quantity, Quantity::kThickness);
+  EXPECT_EQ(job->part_characteristics[0].name, "rib");
+  EXPECT_EQ(job->part_characteristics[0].min, 1.5);
+  EXPECT_FALSE(job->part_characteristics[0].max || job->part_characteristics[0].region);
+  EXPECT_EQ(job->part_characteristics[1].max, 1.6);
+  ASSERT_TRUE(job->part_characteristics[1].region);
+  EXPECT_TRUE(job->part_characteristics[1].region->contains({0, 19, 0.5}));
+  EXPECT_FALSE(job->part_characteristics[1].region->contains({0, 21, 0.5}));
+}
+
+TEST_F(JobCharacteristics, WrongOnesOfThePartAreRefused) {
+  const std::string begin = io_test::kSmallJob + "[[characteristic]]\nwhat = \"wall thickness\"\n";
+  const std::pair<std::string, std::string> wrong[] = {
+      {begin, "has `least` or `most`"},
+      {begin + "least = 2\nmost = 1\n", "`least` is not above `most`"},
+      {begin + "least = -1\n", "least"},
+      {begin + "least = nan\n", "least"},
+      {begin + "tolerance = 0.1\nleast = 1\n", "tolerance"},
+      {begin + "feature = \"hole\"\nleast = 1\n", "feature"},
+      {begin + "least = 1\nmin = [0, 0, 0]\n", "a region is given by min and max"},
+  };
+  for (const auto& [text, message] : wrong) {
+    EXPECT_FALSE(folder_.load(text)) << text;
+    EXPECT_THAT(folder_.text(), HasSubstr(message)) << text;
+  }
+}
+
 }  // namespace
 }  // namespace proveout
