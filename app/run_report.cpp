@@ -294,8 +294,6 @@ Result<Report> makeReport(const Job& job, const RunResult& run, const RunSources
   }
   if (run.comparison) report.comparison = reportComparison(*run.comparison, *job.nominal);
   if (run.comparison && run.alignment) report.comparison->alignment = reportAlignment(*run.alignment);
-}
-
   report.part_characteristics = partCharacteristics(job, run);
   Result<std::vector<FileHash>> hashes = hashInputs(job, sources);
   if (!hashes) return hashes.error();

@@ -17,6 +17,7 @@ Result<std::unique_ptr<ExactPart>> makeExactPart(const StockShape& blank, const 
 /// could not be done, a sentence that says why: then a comparison would tell nothing.
 Result<std::string> alignRun(const Job& job, const Blank& blank, PreparedMesh& nominal, RunResult& run,
                              Progress& progress);
+
 /// Names who made the surface that a finding is about. Where the maker is not told: a motion that reached
 /// within `within_mm` of the place.
 void blameMaker(const SurfaceMaker& maker, const Vec3& where, double within_mm, const RunSources& sources,
