@@ -22,6 +22,7 @@
 #include "app/session/nominal/placement_search.h"
 #include "app/summary.h"
 #include "app/time_limit.h"
+#include "core/base/parallel_for.h"
 #include "core/base/stopwatch.h"
 #include "io/program_files.h"
 #include "io/sha256.h"
@@ -93,6 +94,13 @@ Result<PreparedMesh> loadSolidOf(const NominalSpec& spec) {
   return open ? inputError(message + scanHint(spec.mesh.path)) : out.error();
 }
 
+template <typename T>
+Status take(Result<T> from, T& into) {
+  if (!from) return from.error();
+  into = std::move(*from);
+  return Done{};
+}
+
 /// The model, and what lies beside it: the machined mesh, or a scan. Of a scan the model comes first.
 Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& units) {
   NominalSpec machined, nominal;
@@ -110,18 +118,19 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   nominal.gouge_mm = options.gouge_mm;
   nominal.excess_mm = options.excess_mm;
   nominal.general = options.general;
-  if (options.scan) {
-    Result<ScanFile> scan = loadScan(options.nominal, {.unit = units.machined});
-    if (!scan) return scan.error();
-    pair.scan = std::move(*scan);
-  } else {
-    Result<PreparedMesh> part = loadSolidOf(machined);
-    if (!part) return part.error();
-    pair.machined = std::move(*part);
-  }
-  Result<PreparedMesh> model = options.scan ? loadNominal(nominal) : loadSolidOf(nominal);
+  // Side by side: a STEP file is read by a process of its own meanwhile.
+  Status part = Done{}, model = Done{};
+  parallelFor(0, 2, [&](int which) {
+    if (which == 1) {
+      model = take(options.scan ? loadNominal(nominal) : loadSolidOf(nominal), pair.nominal);
+    } else if (options.scan) {
+      part = take(loadScan(options.nominal, {.unit = units.machined}), pair.scan.emplace());
+    } else {
+      part = take(loadSolidOf(machined), pair.machined);
+    }
+  });
+  if (!part) return part.error();
   if (!model) return model.error();
-  pair.nominal = std::move(*model);
   pair.spec = std::move(nominal);
   return pair;
 }
