@@ -111,6 +111,7 @@ Result<Pair> loadPair(const CompareCommandOptions& options, const PairUnits& uni
   if (const Status aligned = applyAlignment(options, nominal); !aligned) return aligned.error();
   if (options.nominal_unit && statesUnit(model_path))
     return inputError("--nominal-unit: STEP, 3MF and GLB files state their unit themselves");
+  if (statesUnit(model_path)) nominal.mesh.unit = MeshUnit::kMillimetre;  // what they are read into
   if (options.scan && !options.general.none())
     return inputError(
         "--general-tolerance: features are not measured on a scan; leave it out, or compare a closed mesh");
