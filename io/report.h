@@ -212,9 +212,9 @@ struct ReportFeature {
   std::string feature;  ///< "through hole of diameter 8 at X20.000 Y20.000"
   Vec3 at = Vec3::Zero();
   bool missing = false;  ///< the part has no surface near most of it
-  /// Of one found in facets: how far their corners are off its faces at most, mm.
-  std::optional<double> residual_mm;
   std::vector<ReportCharacteristic> characteristics;
+  /// Of one found in facets: how far their corners are off its faces at most, mm.
+  std::optional<double> residual_mm = std::nullopt;
 };
 
 /// How the nominal was brought to the part: `align` of the job.

@@ -19,11 +19,15 @@ std::vector<double> someCoordinates(const TriMesh& mesh) {
   return out;
 }
 
-/// Whether all values are multiples of the grid, but for single precision.
+/// Whether all values of each axis, in threes, are multiples of the grid apart, but for single precision: the
+/// mesh may have been moved.
 bool allOn(const std::vector<double>& values, double grid) {
-  return std::all_of(values.begin(), values.end(), [grid](double v) {
-    return std::abs(v - grid * std::round(v / grid)) <= 2.0 * kUlp * std::abs(v) + 1e-12;
-  });
+  for (std::size_t i = 3; i < values.size(); ++i) {
+    const double first = values[i % 3], off = values[i] - first;
+    const double step = 3.0 * kUlp * (std::abs(values[i]) + std::abs(first)) + 1e-12;
+    if (std::abs(off - grid * std::round(off / grid)) > step) return false;
+  }
+  return true;
 }
 
 /// Whether all values have no more than so many significant digits.

@@ -245,6 +245,38 @@ TEST(FoundFaces, OfAPlateWithRoundedCorners) {
   }
 }
 
+/// Where a boolean cut the flat strips of a round it left corners on them that are off the round by the
+/// chord.
+TEST(FoundFaces, OfFacetsThatWereCut) {
+  Profile outline;
+  const Profile corners = polygon(sectorsFor(5.0), 5.0);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    outline.push_back(a);
+    outline.emplace_back(a + 0.3 * (b - a));
+    if (i % 3 == 0) outline.emplace_back(a + 0.8 * (b - a));
+  }
+  const TriMesh mesh = moved(prism(outline, 8.0), skew());
+  const FoundFaces found = findFaces(mesh);
+  expectAllKnown(mesh, found);
+  EXPECT_EQ(kindsOf(found),
+            (std::map<SurfaceKind, int>{{SurfaceKind::kPlane, 2}, {SurfaceKind::kCylinder, 1}}));
+  EXPECT_NEAR(only(found, SurfaceKind::kCylinder).radius, 5.0, 2e-5);
+}
+
+/// A cone so fine that a few of its facets could be of many a face.
+TEST(FoundFaces, OfAFineCone) {
+  const double slope = std::tan(degToRad(10.0));
+  Profile outline = {{0, 0}, {10, 0}};
+  for (int i = 1; i <= 40; ++i) outline.emplace_back(10 - 0.25 * i * slope, 0.25 * i);
+  outline.emplace_back(0, 10);
+  const TriMesh mesh = turned(outline, 500);
+  const FoundFaces found = findFaces(mesh);
+  expectAllKnown(mesh, found);
+  EXPECT_EQ(kindsOf(found), (std::map<SurfaceKind, int>{{SurfaceKind::kPlane, 2}, {SurfaceKind::kCone, 1}}));
+  EXPECT_NEAR(only(found, SurfaceKind::kCone).half_angle_rad, degToRad(10.0), 1e-5);
+}
+
 /// Flats stay flats: nobody writes a round with so few facets.
 TEST(FoundFaces, OfPolygonsArePlanes) {
   for (const int corners : {3, 4, 5, 6, 8}) {
@@ -256,13 +288,15 @@ TEST(FoundFaces, OfPolygonsArePlanes) {
             (std::map<SurfaceKind, int>{{SurfaceKind::kPlane, 14}}));
 }
 
-/// Two bodies side by side, one of them with the ball's facets as fine as its coordinates allow.
+/// As files with few decimals have them.
 TEST(FoundFaces, HoldWhereCoordinatesAreRounded) {
   const TriMesh exact = turned({{4, 0}, {10, 0}, {10, 8}, {6, 8}, {6, 20}, {5, 20}, {4, 19}}, 90);
   const FoundFaces of_exact = findFaces(exact);
   for (const double step : {1e-3, 1e-4}) {
     const TriMesh mesh = rounded(exact, step);
     EXPECT_NEAR(coordinateRounding(mesh), 0.5 * step, 1e-12);
+    const Eigen::Affine3d shift(Eigen::Translation3d(1.23456, 0.0, -9.87654));
+    EXPECT_NEAR(coordinateRounding(moved(mesh, shift)), 0.5 * step, 1e-12);
     const FoundFaces found = findFaces(mesh);
     expectAllKnown(mesh, found);
     EXPECT_EQ(found.faces.of_triangle, of_exact.faces.of_triangle);

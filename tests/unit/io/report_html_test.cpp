@@ -59,6 +59,11 @@ TEST(ReportHtml, ListsFeaturesWithTheirDimensions) {
   EXPECT_THAT(html, HasSubstr("≤ 0.04"));
   EXPECT_THAT(html, HasSubstr("seat &lt;H7&gt;"));
   EXPECT_THAT(html, HasSubstr("&lt;slot&gt;</td><td class=\"text\" colspan=\"6\">missing"));
+  EXPECT_THAT(html, Not(HasSubstr("found in the facets")));
+  report.comparison->features_found = true;
+  report.comparison->features[1].residual_mm = 2e-5;
+  EXPECT_THAT(reportHtml(report, {}),
+              HasSubstr("found in the facets, whose corners lie within 2e-05 mm of them"));
 }
 
 TEST(ReportHtml, TellsAlignmentAndScan) {

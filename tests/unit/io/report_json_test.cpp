@@ -107,6 +107,13 @@ TEST(ReportJson, HasTheFeaturesOfACadModel) {
   EXPECT_EQ(features[0]["characteristics"][0]["upper"], 0.015);
   EXPECT_FALSE(features[0]["characteristics"][1].contains("lower"));
   EXPECT_TRUE(features[1]["missing"].get<bool>());
+  EXPECT_FALSE(j["comparison"]["features_found"].get<bool>());
+  EXPECT_FALSE(features[0].contains("residual_mm"));
+  report.comparison->features_found = true;
+  report.comparison->features[0].residual_mm = 2e-5;
+  const Json found = Json::parse(reportJson(report))["comparison"];
+  EXPECT_TRUE(found["features_found"].get<bool>());
+  EXPECT_EQ(found["features"][0]["residual_mm"], 2e-5);
   EXPECT_EQ(j["findings"][0]["feature"], "hole of diameter 8 at X20.000 Y5.000");
 }
 
