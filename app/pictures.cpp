@@ -168,7 +168,7 @@ Status PictureMaker::drawScallops(const TriMesh& mesh, const std::vector<CrestSa
   scene.show_legend = annotated();
   scene.legend.title = "scallop height";
   if (annotated())
-    scene.caption = fmt::format("{}: scallops up to {} mm, nearest of {} measured", ascii(request_.name),
+    scene.caption = fmt::format("{}: scallops up to {} mm, {} measured", ascii(request_.name),
                                 report_text::figure(most), crests.size());
   return add(draw(std::move(scene), request_.views.front(), progress), "scallops.png", "scallop height");
 }

@@ -55,7 +55,7 @@ class PictureMaker {
   /// the findings, numbered from 1 as in the report.
   Status drawDeviation(const TriMesh& mesh, const Comparison& comparison,
                        const std::vector<Finding>& findings, Progress& progress);
-  /// scallops.png, where crests were measured: each triangle by the nearest of them. `allowed_mm` > 0: higher
+  /// scallops.png, where crests were measured: each triangle by the highest near it. `allowed_mm` > 0: higher
   /// ones are red.
   Status drawScallops(const TriMesh& mesh, const std::vector<CrestSample>& crests, double allowed_mm,
                       Progress& progress);

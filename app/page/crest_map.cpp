@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 
+#include "core/path/toolpath.h"
+
 namespace proveout {
 namespace {
 
@@ -38,16 +40,16 @@ std::vector<float> crestHeights(const TriMesh& mesh, const std::vector<CrestSamp
   for (std::size_t t = 0; t < out.size(); ++t) {
     Vec3 middle = Vec3::Zero();
     for (const std::uint32_t v : mesh.triangles[t]) middle += mesh.positions[v].cast<double>() / 3.0;
+    if (!mesh.motion.empty() && mesh.motion[t] == kNoMotion) continue;
     const Cell at = cellOf(middle, reach);
-    double best = reach * reach;
     for (int i = 0; i < 27; ++i) {
       const auto near = cells.find({at[0] + i % 3 - 1, at[1] + i / 3 % 3 - 1, at[2] + i / 9 - 1});
       if (near == cells.end()) continue;
       for (const std::size_t k : near->second) {
-        const double d = (crests[k].where - middle).squaredNorm();
-        if (d >= best) continue;
-        best = d;
-        out[t] = static_cast<float>(crests[k].height_mm);
+        if ((crests[k].where - middle).squaredNorm() > reach * reach) continue;
+        // Joints along a pass are crests as well, low ones.
+        const auto height = static_cast<float>(crests[k].height_mm);
+        if (!(out[t] >= height)) out[t] = height;
       }
     }
   }

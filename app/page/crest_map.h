@@ -8,8 +8,9 @@
 
 namespace proveout {
 
-/// For each triangle the height of the crest that is nearest to its middle, mm; NaN where none is within
-/// two of the widest's widths, or one and a half of the distance that those have that were measured.
+/// For each triangle the height of the highest crest near its middle, mm: within two of the widest's widths,
+/// or one and a half of the distance between those that were measured. NaN where none is, and where no motion
+/// cut.
 std::vector<float> crestHeights(const TriMesh& mesh, const std::vector<CrestSample>& crests);
 
 }  // namespace proveout

@@ -105,20 +105,20 @@ class Rays {
   /// Where the ray leaves the material through a triangle (T. Moeller, B. Trumbore, "Fast, minimum storage
   /// ray-triangle intersection", 1997), not where it starts; infinite where it does not.
   double crossing(std::uint32_t t, const Vec3& p, const Vec3& way) const {
-    constexpr double kNone = std::numeric_limits<double>::infinity(), kStart = 1e-5;
+    constexpr double kMissed = std::numeric_limits<double>::infinity(), kStart = 1e-5;
     const auto& v = mesh_.triangles[t];
     const Vec3 &a = mesh_.points[v[0]], ab = mesh_.points[v[1]] - a, ac = mesh_.points[v[2]] - a;
     const Vec3 across = way.cross(ac);
     const double det = ab.dot(across);
-    if (!(det < 0.0)) return kNone;  // seen from its back
+    if (!(det < 0.0)) return kMissed;  // seen from its back
     const Vec3 from = p - a;
     const double x = from.dot(across) / det;
     const Vec3 other = from.cross(ab);
     const double y = way.dot(other) / det;
     constexpr double kEdge = 1e-9;  // what runs into an edge is of both triangles
-    if (x < -kEdge || y < -kEdge || x + y > 1.0 + kEdge) return kNone;
+    if (x < -kEdge || y < -kEdge || x + y > 1.0 + kEdge) return kMissed;
     const double u = ac.dot(other) / det;
-    return u > kStart ? u : kNone;
+    return u > kStart ? u : kMissed;
   }
 
   const SurfaceMesh& mesh_;

@@ -17,13 +17,13 @@ Characteristic characteristicOf(Quantity quantity, double nominal, double length
 }
 
 TEST(GeneralTolerance, HasTheValuesOfTheStandard) {
-  struct Row {
+  struct Limit {
     const char* general;
     Quantity quantity;
     double nominal, length, limit;
   };
   // ISO 2768-1 tables 1 to 3, ISO 2768-2 tables 1 and 2; borders belong to the smaller range.
-  const Row rows[] = {{"m", Quantity::kDiameter, 3.0, 1, 0.1},
+  const Limit rows[] = {{"m", Quantity::kDiameter, 3.0, 1, 0.1},
                       {"m", Quantity::kDiameter, 3.1, 1, 0.1},
                       {"m", Quantity::kDepth, 6.1, 1, 0.2},
                       {"m", Quantity::kWidth, 30.0, 1, 0.2},
@@ -41,7 +41,7 @@ TEST(GeneralTolerance, HasTheValuesOfTheStandard) {
                       {"mK", Quantity::kFlatness, 0.0, 101.0, 0.4},
                       {"K", Quantity::kPerpendicularity, 0, 50, 0.4},
                       {"ISO 2768-mL", Quantity::kFlatness, 0.0, 9.0, 0.1}};
-  for (const Row& row : rows) {
+  for (const Limit& row : rows) {
     const auto general = parseGeneralTolerance(row.general);
     ASSERT_TRUE(general) << row.general;
     const auto limit = general->limit(characteristicOf(row.quantity, row.nominal), row.length);

@@ -59,7 +59,9 @@ TEST_F(StepAlignment, AFitBringsMeshAndFacesBack) {
   for (std::size_t k = 0; k < right.faces->faces.size(); ++k) {
     const CadFace &found = nominal.faces->faces[k], &wanted = right.faces->faces[k];
     EXPECT_LT(found.axis.cross(wanted.axis).norm(), 1e-5);
-    if (wanted.kind == SurfaceKind::kPlane) EXPECT_LT(std::abs(wanted.distance(found.origin)), 2e-3);
+    if (wanted.kind == SurfaceKind::kPlane) {
+      EXPECT_LT(std::abs(wanted.distance(found.origin)), 2e-3);
+    }
   }
   Progress progress;
   CompareOptions options;

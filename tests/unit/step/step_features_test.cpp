@@ -161,9 +161,10 @@ void expectSameRows(const std::vector<ReportFeature>& model, const std::vector<R
       EXPECT_NEAR(row->second->nominal, c.nominal, near) << feature.feature << " " << c.part << " " << c.name;
       ASSERT_EQ(row->second->measured.has_value(), c.measured.has_value())
           << feature.feature << " " << c.name;
-      if (c.measured)
+      if (c.measured) {
         EXPECT_NEAR(*row->second->measured, *c.measured, near)
             << feature.feature << " " << c.part << " " << c.name;
+      }
     }
   }
 }
