@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <tuple>
 
 #include "app/page/shape_mesh.h"
 #include "app/session/nominal/nominal_mesh.h"
 #include "core/geometry/place_text.h"
+#include "core/path/origin_query.h"
 #include "core/tool/tool_table.h"
 #include "io/png.h"
 #include "render/render.h"
@@ -63,32 +66,47 @@ std::string offsetText(const char* letter, const OffsetInForce& offset) {
   return offset.row > 0 ? fmt::format("{}{} = {:.3f}", letter, offset.row, offset.value()) : "";
 }
 
-void addData(const DataInForce& data, SheetTool& tool) {
-  if (tool.length_offset.empty()) tool.length_offset = offsetText("H", data.length);
-  if (tool.radius_offset.empty()) tool.radius_offset = offsetText("D", data.radius);
+void addText(const std::string& text, std::string& all) {
+  if (text.empty() || (", " + all + ", ").find(", " + text + ", ") != std::string::npos) return;
+  all += (all.empty() ? "" : ", ") + text;
+}
+
+/// What a cut of the tool was made with. D alone where it counts.
+void addData(const Motion& motion, const DataInForce& data, SheetTool& tool) {
+  addText(offsetText("H", data.length), tool.length_offset);
+  if (motion.compensated) addText(offsetText("D", data.radius), tool.radius_offset);
   if (data.nose_tool != data.tool || data.nose_tool == 0) return;
-  if (tool.length_offset.empty() && !data.tool_offset.isZero(0.0))
-    tool.length_offset = fmt::format("X{:.3f} Z{:.3f}", data.tool_offset.x(), data.tool_offset.z());
-  if (tool.radius_offset.empty() && data.nose_radius > 0.0)
-    tool.radius_offset = fmt::format("R{:.3f} tip {}", data.nose_radius, data.tip);
+  if (!data.tool_offset.isZero(0.0))
+    addText(fmt::format("X{:.3f} Z{:.3f}", data.tool_offset.x(), data.tool_offset.z()), tool.length_offset);
+  if (data.nose_radius > 0.0)
+    addText(fmt::format("R{:.3f} tip {}", data.nose_radius, data.tip), tool.radius_offset);
+}
+
+SheetTool toolOf(const SetupRun& setup, std::int32_t number) {
+  SheetTool row;
+  row.number = number;
+  const Tool* tool = ToolTable(setup.job.tools).find(number);
+  if (tool == nullptr) return row;
+  row.name = tool->name;
+  row.description = describe(*tool);
+  if (tool->overall_length > 0.0) row.stick_out = tool->overall_length;
+  return row;
 }
 
 std::vector<SheetTool> toolsOf(const SetupRun& setup) {
   const Toolpath& path = setup.interpreted.path;
   std::vector<SheetTool> out;
-  std::set<std::int32_t> seen;
-  for (const Motion& motion : path.motions) {
-    if (motion.tool == 0 || !seen.insert(motion.tool).second) continue;
-    SheetTool row;
-    row.number = motion.tool;
-    if (const Tool* tool = ToolTable(setup.job.tools).find(motion.tool)) {
-      row.name = tool->name;
-      row.description = describe(*tool);
-      if (tool->overall_length > 0.0) row.stick_out = tool->overall_length;
-    }
-    for (const DataInForce& data : path.origins.data)
-      if (data.tool == motion.tool) addData(data, row);
-    out.push_back(std::move(row));
+  std::map<std::int32_t, std::size_t> rows;
+  std::set<std::tuple<std::int32_t, const DataInForce*, bool>> seen;
+  for (MotionId id = 0; id < path.motions.size(); ++id) {
+    const Motion& motion = path.motions[id];
+    if (motion.tool == 0) continue;
+    const auto [row, first] = rows.emplace(motion.tool, out.size());
+    if (first) out.push_back(toolOf(setup, motion.tool));
+    if (motion.kind == MotionKind::kRapid) continue;
+    const DataInForce* data = dataOf(path, id);
+    if (data != nullptr && seen.emplace(motion.tool, data, motion.compensated).second)
+      addData(motion, *data, out[row->second]);
   }
   return out;
 }

@@ -204,7 +204,7 @@ border:1px solid currentColor}
 footer{color:var(--soft);font-size:13px;text-align:center}
 .head dl{display:grid;grid-template-columns:repeat(auto-fit,minmax(190px,1fr));gap:8px 24px;margin:0}
 .sheet dl{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,320px),1fr));gap:8px 24px;margin:0 0 12px}
-.sheet dt{color:var(--soft);font-size:13px}.sheet dd{margin:0;overflow-wrap:anywhere}
+.sheet img{max-width:640px}.sheet dt{color:var(--soft);font-size:13px}.sheet dd{margin:0;overflow-wrap:anywhere}
 .head dt{color:var(--soft);font-size:13px}.head dd{margin:0;overflow-wrap:anywhere}
 .no-view{margin:0 0 16px}
 a{color:var(--link)}
