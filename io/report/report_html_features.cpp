@@ -112,7 +112,8 @@ std::string featureTable(const std::vector<ReportFeature>& features, bool found,
     for (const ReportFeature& feature : features)
       residual = std::max(residual, feature.residual_mm.value_or(0.0));
     out += fmt::format(
-        "<p class=\"quiet\">The nominal is a mesh: its faces were found in the facets, whose corners lie within "
+        "<p class=\"quiet\">The nominal is a mesh: its faces were found in the facets, whose corners lie "
+        "within "
         "{:.2g} mm of them. Sizes are exact to the facets' chord.</p>\n",
         residual);
   }
