@@ -123,7 +123,7 @@ class Page {
 
   void cards() {
     out_ += "<section class=\"cards\">\n";
-    card(duration(r_.time.cycle_s), "", "cycle time");
+    if (r_.checks.interpreted) card(duration(r_.time.cycle_s), "", "cycle time");
     if (r_.stock) {
       card(grouped(r_.stock->removed_mm3, 1), "mm³", "removed");
       card(grouped(r_.stock->final_mm3, 1), "mm³", "left");
@@ -143,8 +143,10 @@ class Page {
     if (facets || r_.resolution_mm > 0.0)
       card(facets ? report_text::figure(*facets) : fmt::format("{:g}", r_.resolution_mm), "mm",
            facets ? "facets" : "grid");
-    card(grouped(static_cast<double>(r_.program.motions), 0), "", "motions");
-    card(escape(r_.program.control), "", "control");
+    if (r_.checks.interpreted) {
+      card(grouped(static_cast<double>(r_.program.motions), 0), "", "motions");
+      card(escape(r_.program.control), "", "control");
+    }
     out_ += "</section>\n";
   }
 

@@ -158,10 +158,8 @@ class View {
       Object.assign(this.nominal.material, {polygonOffset: both, polygonOffsetFactor: 1, polygonOffsetUnits: 4});
       this.nominal.renderOrder = 1;
     }
-    if (this.path) {
-      this.path.group.visible = boxes.path.checked;
-      this.find('.v3-path').hidden = !boxes.path.checked;
-    }
+    if (this.path) this.path.group.visible = boxes.path.checked;
+    this.find('.v3-path').hidden = !(this.path && boxes.path.checked);
     this.markers.shown = boxes.findings.checked;
     this.draw();
   }

@@ -58,6 +58,15 @@ TEST(ReportOfAPart, PageTellsThemEscaped) {
   EXPECT_THAT(reportPage(Report(), {}), Not(HasSubstr("The part as a whole")));
 }
 
+TEST(ReportOfAComparison, SpeaksOfNoProgram) {
+  Report report;
+  EXPECT_THAT(reportPage(report, {}), HasSubstr("cycle time"));
+  report.checks.interpreted = false;
+  const std::string page = reportPage(report, {});
+  EXPECT_THAT(page, Not(HasSubstr("cycle time")));
+  EXPECT_THAT(page, Not(HasSubstr("<span>motions</span>")));
+}
+
 TEST(SetupSheetOfThePage, HasLinesToolsAndPictures) {
   PageContent content;
   SetupSheet sheet;
