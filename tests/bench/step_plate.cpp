@@ -33,8 +33,8 @@ int main(int argc, char** argv) {
   if (writer.Write(argv[2]) != IFSelect_RetDone) return 1;
   IMeshTools_Parameters mesh;
   mesh.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
-  mesh.Deflection = 0.002;
-  mesh.Angle = 0.1;
+  mesh.Deflection = 0.02;
+  mesh.Angle = 0.25;
   BRepMesh_IncrementalMesh mesher(cut.Shape(), mesh);
   StlAPI_Writer stl;
   stl.ASCIIMode() = false;

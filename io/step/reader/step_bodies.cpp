@@ -21,6 +21,8 @@
 #include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSAlgo.hxx>
+#include <XSAlgo_AlgoContainer.hxx>
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
@@ -39,6 +41,16 @@ std::string nameOfLabel(const TDF_Label& label) {
   return out;
 }
 
+/// Leaves shapes as they are.
+class NoRepair : public XSAlgo_AlgoContainer {
+ public:
+  TopoDS_Shape ProcessShape(const TopoDS_Shape& shape, Standard_Real, Standard_Real, Standard_CString,
+                            Standard_CString, Handle(Standard_Transient) &, const Message_ProgressRange&,
+                            Standard_Boolean) const override {
+    return shape;
+  }
+};
+
 }  // namespace
 
 struct StepDocument::Impl {
@@ -54,7 +66,8 @@ struct StepDocument::Impl {
   void add(const TopoDS_Shape& shape, const std::string& name, std::vector<Body>& out) const;
 };
 
-StepDocument::StepDocument(const std::string& path) : impl_(std::make_unique<Impl>()) {
+StepDocument::StepDocument(const std::string& path, Repair repair) : impl_(std::make_unique<Impl>()) {
+  if (repair == Repair::kNone) XSAlgo::SetAlgoContainer(new NoRepair);
   XCAFApp_Application::GetApplication()->NewDocument("BinXCAF", impl_->document);
   impl_->reader.SetNameMode(true);
   impl_->reader.SetColorMode(true);

@@ -25,9 +25,13 @@ struct Refusal {
 };
 
 /// One file while it is read. Throws Refusal.
+/// What the library does with shapes as files bring them: it goes over every wire, which takes as long as all
+/// the rest. Files that CAD systems write mostly need none of it.
+enum class Repair { kNone, kAll };
+
 class StepDocument {
  public:
-  explicit StepDocument(const std::string& path);
+  StepDocument(const std::string& path, Repair repair);
   ~StepDocument();
   StepDocument(const StepDocument&) = delete;
 

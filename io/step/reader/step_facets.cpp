@@ -15,6 +15,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
+#include <map>
 #include <string>
 
 #include "io/step/reader/step_bodies.h"
@@ -132,6 +133,30 @@ void addFace(std::size_t number, Facets& out) {
 }
 
 }  // namespace
+
+bool areClosed(const Facets& facets) {
+  std::map<std::array<float, 3>, std::uint32_t> known;
+  std::vector<std::uint32_t> of(facets.vertices.size());
+  for (std::size_t k = 0; k < of.size(); ++k)
+    of[k] = known.emplace(facets.vertices[k], static_cast<std::uint32_t>(known.size())).first->second;
+  std::vector<std::uint64_t> ways, back;
+  double volume = 0.0;
+  for (const auto& t : facets.triangles) {
+    std::array<gp_XYZ, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<float, 3>& v = facets.vertices[t[k]];
+      p[k] = gp_XYZ(v[0], v[1], v[2]);
+      const std::uint64_t from = of[t[k]], to = of[t[(k + 1) % 3]];
+      if (from == to) continue;
+      ways.push_back(from << 32U | to);
+      back.push_back(to << 32U | from);
+    }
+    volume += p[0].Dot(p[1].Crossed(p[2]));
+  }
+  std::sort(ways.begin(), ways.end());
+  std::sort(back.begin(), back.end());
+  return volume > 0.0 && ways == back;
+}
 
 Facets facetsOf(const TopoDS_Shape& body, double chord_mm, double free_chord_mm) {
   Facets out;

@@ -27,6 +27,9 @@ struct Facets {
 
 /// Makes facets of a body: on faces of exact kinds no farther off than `chord_mm`, on a body with other faces
 /// no farther than `free_chord_mm`. Throws Refusal where a face cannot be meshed.
+/// Whether the facets bound a solid: each edge is used both ways equally often, and their normals point out.
+bool areClosed(const Facets& facets);
+
 Facets facetsOf(const TopoDS_Shape& body, double chord_mm, double free_chord_mm);
 
 }  // namespace proveout::step_reader

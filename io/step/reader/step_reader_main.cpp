@@ -1,7 +1,9 @@
 // proveout-step FILE BODY CHORD_MM FREE_CHORD_MM SECONDS: reads a body of a STEP file and writes it as
 // step_stream.h says. BODY: its name, or its number from 1, or empty where there is but one. SECONDS:
 // processor time that it may take.
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <Message.hxx>
@@ -9,6 +11,8 @@
 #include <Message_Printer.hxx>
 #include <Standard_Failure.hxx>
 #include <algorithm>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -80,12 +84,14 @@ nlohmann::json faceOf(const StepDocument& document, const Facets& facets, std::s
   return out;
 }
 
-void run(std::FILE* out, char** arguments) {
-  const StepDocument document(arguments[1]);
+/// Whether the body was written: not where it was read without repair and its facets are not closed.
+bool read(std::FILE* out, char** arguments, Repair repair) {
+  const StepDocument document(arguments[1], repair);
   const std::vector<Body> bodies = document.bodies();
   const std::size_t chosen = choose(bodies, arguments[2]);
   const Body& body = bodies[chosen];
   const Facets facets = facetsOf(body.shape, std::atof(arguments[3]), std::atof(arguments[4]));
+  if (repair == Repair::kNone && !areClosed(facets)) return false;
   nlohmann::json head = {{"unit", document.unit()},
                          {"bodies", nlohmann::json::array()},
                          {"body", chosen},
@@ -98,6 +104,32 @@ void run(std::FILE* out, char** arguments) {
   for (std::size_t k = 0; k < facets.faces.size(); ++k)
     head["faces"].push_back(faceOf(document, facets, k, body.shape));
   write(out, head, facets);
+  return true;
+}
+
+/// Without repair first, in a process of its own: what the library makes of a damaged shape may end it.
+/// False: that did not do.
+bool readUnrepaired(std::FILE* out, char** arguments) {
+  const pid_t child = fork();
+  if (child < 0) return false;
+  if (child == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    bool done = false;
+    try {
+      done = read(out, arguments, Repair::kNone) && std::fclose(out) == 0;
+    } catch (...) {  // repaired it may do
+    }
+    std::_Exit(done ? 0 : 1);
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) std::raise(SIGXCPU);  // its time is over
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+void run(std::FILE* out, char** arguments) {
+  if (!readUnrepaired(out, arguments)) read(out, arguments, Repair::kAll);
 }
 
 /// A loop in the library ends the process, and so does a file that asks for more memory than any part needs.
