@@ -1,5 +1,5 @@
-// step_plate COUNT FILE.step FILE.stl: a plate with COUNT times COUNT stepped holes, three faces each, as a
-// STEP file and as its facets.
+// step_plate COUNT FILE.step FILE.stl: a plate with COUNT times COUNT holes of five steps, ten faces each, as
+// a STEP file and as its facets.
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -20,8 +20,10 @@ int main(int argc, char** argv) {
   for (int i = 0; i < count; ++i) {
     for (int j = 0; j < count; ++j) {
       const double x = 10.0 + 12.0 * i, y = 10.0 + 12.0 * j;
-      holes.Append(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, -30), gp_Dir(0, 0, 1)), 2.0, 40.0).Shape());
-      holes.Append(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(x, y, -6), gp_Dir(0, 0, 1)), 4.0, 10.0).Shape());
+      for (int k = 0; k < 5; ++k) {
+        const gp_Ax2 axis(gp_Pnt(x, y, k == 0 ? -30.0 : -16.0 + 3.0 * k), gp_Dir(0, 0, 1));
+        holes.Append(BRepPrimAPI_MakeCylinder(axis, 2.0 + 0.7 * k, 40.0).Shape());
+      }
     }
   }
   BRepAlgoAPI_Cut cut;
@@ -34,7 +36,7 @@ int main(int argc, char** argv) {
   IMeshTools_Parameters mesh;
   mesh.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
   mesh.Deflection = 0.02;
-  mesh.Angle = 0.25;
+  mesh.Angle = 0.3;
   BRepMesh_IncrementalMesh mesher(cut.Shape(), mesh);
   StlAPI_Writer stl;
   stl.ASCIIMode() = false;
