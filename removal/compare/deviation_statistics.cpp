@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/assert.h"
+#include "core/base/parallel_for.h"
 
 namespace proveout {
 namespace statistics_detail {
@@ -136,11 +137,13 @@ void fillStatistics(const BothSides& sides, Comparison& out) {
       out.max_excess_mm = std::max(out.max_excess_mm, d);
     }
   }
-  const DeviationPieces machined = statistics_detail::piecesOf(sides.machined);
-  out.machined = figuresOf(machined);
+  DeviationPieces machined, nominal;
+  parallelFor(0, 2, [&](int side) {
+    DeviationPieces& pieces = side == 0 ? machined : nominal;
+    pieces = statistics_detail::piecesOf(side == 0 ? sides.machined : sides.nominal);
+    (side == 0 ? out.machined : out.nominal) = figuresOf(pieces);
+  });
   addToHistogram(machined, 0.5, out);
-  const DeviationPieces nominal = statistics_detail::piecesOf(sides.nominal);
-  out.nominal = figuresOf(nominal);
   addToHistogram(nominal, 0.5, out);
   out.rms_mm = std::max(out.machined.rms_mm, out.nominal.rms_mm);
   out.p95_mm = std::max(out.machined.p95_mm, out.nominal.p95_mm);
