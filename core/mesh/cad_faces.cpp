@@ -206,7 +206,8 @@ std::string joinedName(const std::string& a, const std::string& b) {
   return a + ", " + b;
 }
 
-/// Counts the turns of the marked rounds by their triangles.
+}  // namespace
+
 void countTurns(const TriMesh& mesh, const std::vector<bool>& marked, CadFaces& faces) {
   std::unordered_map<std::uint32_t, TurnCounter> counters;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -220,8 +221,6 @@ void countTurns(const TriMesh& mesh, const std::vector<bool>& marked, CadFaces& 
   }
   for (const auto& [face, counter] : counters) faces.faces[face].turn_rad = counter.turn();
 }
-
-}  // namespace
 
 CadFaces joinedFaces(const TriMesh& mesh, CadFaces faces) {
   PROVEOUT_ASSERT(faces.of_triangle.size() == mesh.triangles.size());

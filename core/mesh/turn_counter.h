@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "core/geometry/types.h"
 #include "core/mesh/cad_faces.h"
@@ -39,5 +40,8 @@ class TurnCounter {
   Vec3 origin_, u_, v_;
   std::array<bool, kSteps> seen_{};
 };
+
+/// Fills in how far round the marked faces go that are cylinders or cones; `marked`: one a face.
+void countTurns(const TriMesh& mesh, const std::vector<bool>& marked, CadFaces& faces);
 
 }  // namespace proveout

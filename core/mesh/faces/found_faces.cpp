@@ -165,21 +165,6 @@ void addFreeForms(const FlatFacets& facets, Draft& draft) {
   for (const std::uint32_t head : heads) draft.add({}, std::move(members[head]));
 }
 
-/// Of cylinders and cones, by their triangles.
-void countTurns(const TriMesh& mesh, CadFaces& faces) {
-  std::unordered_map<std::uint32_t, TurnCounter> counters;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t face = faces.of_triangle[t];
-    if (face == kNoFace) continue;
-    const CadFace& of = faces.faces[face];
-    if (of.kind != SurfaceKind::kCylinder && of.kind != SurfaceKind::kCone) continue;
-    std::array<Vec3, 3> corners;
-    for (std::size_t c = 0; c < 3; ++c) corners[c] = mesh.positions[mesh.triangles[t][c]].cast<double>();
-    counters.try_emplace(face, of).first->second.add(corners);
-  }
-  for (const auto& [face, counter] : counters) faces.faces[face].turn_rad = counter.turn();
-}
-
 /// Numbers the faces by their first triangles; tells their residuals.
 void tell(const FlatFacets& facets, const Draft& draft, FoundFaces& out) {
   const TriMesh& mesh = facets.mesh();
@@ -203,7 +188,7 @@ void tell(const FlatFacets& facets, const Draft& draft, FoundFaces& out) {
       if (corner.on_curve || face.kind == SurfaceKind::kPlane)
         face.residual_mm = std::max(face.residual_mm, std::abs(face.distance(facets.point(corner.vertex))));
   }
-  countTurns(mesh, out.faces);
+  countTurns(mesh, std::vector<bool>(out.faces.faces.size(), true), out.faces);
 }
 
 /// Facets of one surface that meet are of one face: where something kept a region from growing over them.
